@@ -1,0 +1,100 @@
+#pragma once
+
+#include "ponte/core/id.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+/// What is known of a MAVLink message before any byte of it arrives. The tables are generated from the XML definitions.
+namespace ponte::mavlink {
+
+using SystemId = Id<struct SystemIdTag, std::uint8_t>;
+using ComponentId = Id<struct ComponentIdTag, std::uint8_t>;
+using MessageId = Id<struct MessageIdTag, std::uint32_t>;  ///< 24 bits in MAVLink 2, 8 in MAVLink 1
+
+enum class FieldType : std::uint8_t {
+  character, uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64,
+};
+
+/// Bytes of one element on the wire.
+[[nodiscard]] constexpr std::uint8_t size_of(FieldType type) {
+  switch (type) {
+    case FieldType::character:
+    case FieldType::uint8:
+    case FieldType::int8: return 1;
+    case FieldType::uint16:
+    case FieldType::int16: return 2;
+    case FieldType::uint32:
+    case FieldType::int32:
+    case FieldType::float32: return 4;
+    case FieldType::uint64:
+    case FieldType::int64:
+    case FieldType::float64: return 8;
+  }
+  return 0;
+}
+
+struct EnumEntry {
+  std::uint64_t value;
+  std::string_view name;
+};
+
+struct EnumInfo {
+  std::string_view name;
+  bool bitmask;
+  std::span<const EnumEntry> entries;  ///< by value, ascending
+};
+
+struct FieldInfo {
+  std::string_view name;
+  FieldType type;
+  std::uint8_t array_length;  ///< 0: not an array
+  std::uint8_t offset;        ///< in the payload of full length
+  bool extension;             ///< MAVLink 2 only, and not part of crc_extra
+  std::string_view unit;      ///< as the definition writes it, e.g. "degE7"; empty: none
+  std::string_view invalid;   ///< the value that means "unknown", as the definition writes it; empty: none
+  const EnumInfo* enumeration;
+
+  [[nodiscard]] constexpr std::size_t size() const {
+    return std::size_t{size_of(type)} * (array_length == 0 ? 1U : array_length);
+  }
+};
+
+struct MessageInfo {
+  MessageId id;
+  std::string_view name;
+  std::uint8_t crc_extra;    ///< checksum seed made of names, types and order of the fields
+  std::uint8_t base_length;  ///< payload bytes without extensions: the whole of a MAVLink 1 payload
+  std::uint8_t full_length;  ///< payload bytes with extensions, before MAVLink 2 drops trailing zeros
+  std::span<const FieldInfo> fields;  ///< in the order of the definition
+};
+
+/// A generated message: a plain struct with its table, whose fields can be visited with their descriptions.
+template <class M>
+concept Message = requires(M message) {
+  { M::info } -> std::convertible_to<const MessageInfo&>;
+};
+
+/// A set of messages that a program speaks.
+struct Dialect {
+  std::string_view name;
+  std::span<const MessageInfo* const> messages;  ///< by id, ascending
+
+  /// The message with this id, or nothing.
+  [[nodiscard]] constexpr const MessageInfo* find(MessageId id) const {
+    std::size_t first = 0;
+    std::size_t last = messages.size();
+    while (first < last) {
+      const auto middle = (first + last) / 2;
+      if (messages[middle]->id < id)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    return first < messages.size() && messages[first]->id == id ? messages[first] : nullptr;
+  }
+};
+
+}  // namespace ponte::mavlink
