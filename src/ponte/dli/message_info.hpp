@@ -88,6 +88,25 @@ struct MessageInfo {
   }
 };
 
+/// The messages that a program knows.
+struct Catalogue {
+  std::span<const MessageInfo* const> messages;  ///< by number, ascending
+
+  /// The message with this number, or nothing.
+  [[nodiscard]] constexpr const MessageInfo* find(MessageNumber number) const {
+    std::size_t first = 0;
+    std::size_t last = messages.size();
+    while (first < last) {
+      const auto middle = (first + last) / 2;
+      if (messages[middle]->number < number)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    return first < messages.size() && messages[first]->number == number ? messages[first] : nullptr;
+  }
+};
+
 /// Stands where a generated struct has no member because the field is out of scope.
 struct ExcludedField {};
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "codegen/model.hpp"
+
+/// The committed table of what every message looks like on the wire, so that a definition package cannot change under
+/// us: one line `id crc_extra base_length full_length NAME` per message, ascending.
+namespace ponte::codegen {
+
+[[nodiscard]] std::string digest_of(const Protocol& protocol);
+
+/// Throws `DefinitionError` that names every message in which `protocol` and the digest file differ.
+void check_digest(const Protocol& protocol, const std::filesystem::path& digest_file);
+
+}  // namespace ponte::codegen

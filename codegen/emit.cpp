@@ -1,0 +1,61 @@
+#include "codegen/emit.hpp"
+
+#include "codegen/names.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace ponte::codegen {
+
+std::string emit_all_header(const std::vector<const Message*>& messages, std::string_view include_folder,
+                            std::string_view name_space, std::string_view id_type) {
+  std::string includes;
+  std::string cases;
+  std::string calls;
+  for (const auto* message : messages) {
+    const auto type = pascal_case(message->key);
+    includes += fmt::format("#include \"{}/{}.hpp\"\n", include_folder, message->key);
+    cases += fmt::format("    case {}: f.template operator()<{}>(); return true;\n", message->number, type);
+    calls += fmt::format("  f.template operator()<{}>();\n", type);
+  }
+  return fmt::format(R"({}#pragma once
+
+{}
+namespace {} {{
+
+/// Calls `f.template operator()<M>()` with the message type that has this number; false when there is none.
+template <class F>
+bool with_message({} number, F&& f) {{
+  switch (number.value) {{
+{}    default: return false;
+  }}
+}}
+
+/// Calls `f.template operator()<M>()` for every message type.
+template <class F>
+void for_each_message(F&& f) {{
+{}}}
+
+}}  // namespace {}
+)",
+                     generated_notice, includes, name_space, id_type, cases, calls, name_space);
+}
+
+void write_files(const Files& files, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{folder})
+    if (entry.is_regular_file() && !files.contains(std::filesystem::relative(entry.path(), folder)))
+      std::filesystem::remove(entry.path());
+  for (const auto& [name, text] : files) {
+    const auto path = folder / name;
+    if (std::filesystem::exists(path) && read_file(path) == text) continue;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream file{path, std::ios::binary};
+    file << text;
+    file.close();
+    if (!file) throw DefinitionError{{path, 0}, "cannot be written"};
+  }
+}
+
+}  // namespace ponte::codegen

@@ -1,0 +1,324 @@
+#include "codegen/mavlink_reader.hpp"
+
+#include "codegen/names.hpp"
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace ponte::codegen {
+namespace {
+
+constexpr std::size_t largest_payload = 255;
+constexpr std::size_t deepest_include = 16;
+
+struct ScalarType {
+  std::string_view name;
+  Kind kind;
+  std::size_t width;
+};
+constexpr std::array scalar_types{
+    ScalarType{"char", Kind::character, 1},
+    ScalarType{"uint8_t", Kind::unsigned_integer, 1},
+    ScalarType{"int8_t", Kind::signed_integer, 1},
+    ScalarType{"uint16_t", Kind::unsigned_integer, 2},
+    ScalarType{"int16_t", Kind::signed_integer, 2},
+    ScalarType{"uint32_t", Kind::unsigned_integer, 4},
+    ScalarType{"int32_t", Kind::signed_integer, 4},
+    ScalarType{"uint64_t", Kind::unsigned_integer, 8},
+    ScalarType{"int64_t", Kind::signed_integer, 8},
+    ScalarType{"float", Kind::real, 4},
+    ScalarType{"double", Kind::real, 8},
+};
+
+/// The type's name in the checksum seed, e.g. "uint8_t".
+std::string_view wire_type_name(const Field& field) {
+  const auto found = std::ranges::find_if(
+      scalar_types, [&](const ScalarType& type) { return type.kind == field.kind && type.width == field.width; });
+  return found->name;
+}
+
+class CrcX25 {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) add(static_cast<std::uint8_t>(c));
+  }
+  void add(std::uint8_t byte) {
+    auto low = static_cast<std::uint8_t>(byte ^ (value_ & 0xFFU));
+    low = static_cast<std::uint8_t>(low ^ (low << 4U));
+    value_ = static_cast<std::uint16_t>((value_ >> 8U) ^ (low << 8U) ^ (low << 3U) ^ (low >> 4U));
+  }
+  [[nodiscard]] std::uint8_t folded() const { return static_cast<std::uint8_t>((value_ & 0xFFU) ^ (value_ >> 8U)); }
+
+ private:
+  std::uint16_t value_{0xFFFF};
+};
+
+/// One XML file while it is read.
+struct Document {
+  std::filesystem::path path;
+  std::string text;
+  pugi::xml_document xml;
+
+  [[nodiscard]] Source at(const pugi::xml_node& node) const {
+    const auto offset = node.offset_debug();
+    return {path, offset < 0 ? 0 : line_at(text, static_cast<std::size_t>(offset))};
+  }
+  [[noreturn]] void refuse(const pugi::xml_node& node, std::string_view what) const {
+    throw DefinitionError{at(node), what};
+  }
+  [[nodiscard]] std::string attribute(const pugi::xml_node& node, const char* name) const {
+    const auto found = node.attribute(name);
+    if (!found || *found.value() == '\0') refuse(node, fmt::format("<{}> needs a {}", node.name(), name));
+    return found.value();
+  }
+};
+
+std::optional<std::uint64_t> parse_number(std::string_view text) {
+  int base = 10;
+  if (text.starts_with("2**")) {
+    const auto exponent = parse_number(text.substr(3));
+    if (!exponent || *exponent > 63) return std::nullopt;
+    return std::uint64_t{1} << *exponent;
+  }
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    base = 16;
+    text.remove_prefix(2);
+  } else if (text.starts_with("0b") || text.starts_with("0B")) {
+    base = 2;
+    text.remove_prefix(2);
+  }
+  std::uint64_t value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  return value;
+}
+
+class DialectReader {
+ public:
+  explicit DialectReader(const std::vector<std::filesystem::path>& search_path) : search_path_{search_path} {}
+
+  void read(const std::filesystem::path& path, std::size_t depth = 0) {
+    std::error_code ignored;
+    if (!read_.insert(std::filesystem::weakly_canonical(path, ignored)).second) return;
+    Document document{path, read_file(path), {}};
+    const auto parsed = document.xml.load_buffer(document.text.data(), document.text.size());
+    if (!parsed)
+      throw DefinitionError{
+          {path, line_at(document.text, static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)))},
+          fmt::format("not well-formed XML: {}", parsed.description())};
+    const auto root = document.xml.child("mavlink");
+    if (!root) throw DefinitionError{{path, 1}, "the root element is not <mavlink>"};
+    for (const auto& include : root.children("include")) {
+      if (depth == deepest_include) document.refuse(include, "includes are nested too deeply");
+      read(resolve(document, include), depth + 1);
+    }
+    for (const auto& node : root.child("enums").children("enum")) read_enumeration(document, node);
+    for (const auto& node : root.child("messages").children("message")) read_message(document, node);
+  }
+
+  [[nodiscard]] Protocol finish(std::string name) {
+    Protocol protocol{std::move(name), {}, {}, {}};
+    for (auto& extension : extensions_) extend(extension);
+    for (auto& [number, message] : messages_) {
+      check_and_lay_out(message);
+      protocol.messages.push_back(std::move(message));
+    }
+    for (auto& [key, enumeration] : enumerations_) {
+      std::ranges::stable_sort(enumeration.entries, {}, &Entry::first);
+      protocol.enumerations.push_back(std::move(enumeration));
+    }
+    return protocol;
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path resolve(const Document& document, const pugi::xml_node& include) const {
+    const std::string name = one_line(include.child_value());
+    auto candidates = search_path_;
+    candidates.insert(candidates.begin(), document.path.parent_path());
+    for (const auto& folder : candidates) {
+      std::error_code error;
+      if (!name.empty() && std::filesystem::is_regular_file(folder / name, error)) return folder / name;
+    }
+    document.refuse(include, fmt::format("included file '{}' was not found", name));
+  }
+
+  void read_enumeration(const Document& document, const pugi::xml_node& node) {
+    const auto name = document.attribute(node, "name");
+    auto& enumeration = enumerations_[name];
+    if (enumeration.name.empty()) {
+      enumeration.name = name;
+      enumeration.source = document.at(node);
+    }
+    enumeration.bitmap |= node.attribute("bitmask").as_bool();
+    std::uint64_t next = 0;
+    for (const auto& item : node.children("entry")) {
+      Entry entry;
+      entry.name = document.attribute(item, "name");
+      entry.source = document.at(item);
+      if (const auto text = item.attribute("value")) {
+        const auto value = parse_number(text.value());
+        if (!value) document.refuse(item, fmt::format("value '{}' of {} is not a number", text.value(), entry.name));
+        next = *value;
+      }
+      entry.first = entry.last = next;
+      next = entry.first + 1;
+      add_entry(enumeration, std::move(entry));
+    }
+  }
+
+  void add_entry(Enumeration& enumeration, Entry entry) {
+    const auto twin = entries_.find(entry.name);
+    if (twin == entries_.end()) {
+      entries_.emplace(entry.name, std::pair{enumeration.name, entry.first});
+      enumeration.entries.push_back(std::move(entry));
+      return;
+    }
+    // Dialects repeat entries of the files they include; only a repeated name with another meaning is a mistake.
+    if (twin->second != std::pair{enumeration.name, entry.first})
+      throw DefinitionError{entry.source,
+                            fmt::format("{} is {} of {} here, and {} of {} elsewhere", entry.name, entry.first,
+                                        enumeration.name, twin->second.second, twin->second.first)};
+  }
+
+  void read_message(const Document& document, const pugi::xml_node& node) {
+    Message message;
+    message.source = document.at(node);
+    message.name = document.attribute(node, "name");
+    message.key = snake_case(message.name);
+    const auto number = parse_number(document.attribute(node, "id"));
+    if (!number || *number > 0xFFFFFF)
+      document.refuse(node, fmt::format("id of {} must be 0 to 16777215", message.name));
+    message.number = static_cast<std::uint32_t>(*number);
+    const bool extends = node.attribute("extend").as_bool();
+    bool extension = false;
+    for (const auto& child : node.children()) {
+      const std::string_view kind = child.name();
+      if (kind == "extensions") extension = true;
+      if (kind == "description") message.note = one_line(child.child_value());
+      if (kind == "field") message.fields.push_back(read_field(document, child, extension));
+    }
+    if (extends) {
+      extensions_.push_back(std::move(message));
+      return;
+    }
+    const auto twin = messages_.find(message.number);
+    if (twin != messages_.end())
+      document.refuse(node,
+                      fmt::format("message {} has the id {} of {}, defined at {}:{}", message.name, message.number,
+                                  twin->second.name, twin->second.source.file.string(), twin->second.source.line));
+    messages_.emplace(message.number, std::move(message));
+  }
+
+  static Field read_field(const Document& document, const pugi::xml_node& node, bool extension) {
+    Field field;
+    field.source = document.at(node);
+    field.name = document.attribute(node, "name");
+    field.key = snake_case(field.name);
+    field.unit = node.attribute("units").value();
+    field.invalid = node.attribute("invalid").value();
+    field.enumeration = node.attribute("enum").value();
+    if (std::string_view{node.attribute("display").value()} == "bitmask") field.role = "bitmap";
+    field.note = one_line(node.child_value());
+    field.extension = extension;
+
+    const auto written = document.attribute(node, "type");
+    std::string_view type = written;
+    if (type == "uint8_t_mavlink_version") {
+      type = "uint8_t";
+      field.initial = "3";  // the wire revision that every MAVLink 1 and 2 sender announces
+    }
+    if (const auto bracket = type.find('['); bracket != std::string_view::npos) {
+      const auto count =
+          type.back() == ']' ? parse_number(type.substr(bracket + 1, type.size() - bracket - 2)) : std::nullopt;
+      if (!count || *count == 0 || *count > largest_payload)
+        document.refuse(node, fmt::format("type '{}' of {}: the array length must be 1 to 255", written, field.name));
+      field.count = static_cast<std::size_t>(*count);
+      type = type.substr(0, bracket);
+    }
+    const auto found = std::ranges::find(scalar_types, type, &ScalarType::name);
+    if (found == scalar_types.end())
+      document.refuse(node, fmt::format("type '{}' of {} is not a MAVLink type", written, field.name));
+    field.kind = found->kind;
+    field.width = found->width;
+    return field;
+  }
+
+  void extend(Message& extension) {
+    const auto found = messages_.find(extension.number);
+    if (found == messages_.end() || found->second.name != extension.name)
+      throw DefinitionError{extension.source,
+                            fmt::format("extends {} ({}), which is not defined", extension.name, extension.number)};
+    for (auto& field : extension.fields) {
+      // A newer package may have the field already.
+      if (std::ranges::find(found->second.fields, field.name, &Field::name) != found->second.fields.end()) continue;
+      field.extension = true;
+      found->second.fields.push_back(std::move(field));
+    }
+  }
+
+  void check_and_lay_out(Message& message) {
+    std::set<std::string> keys;
+    for (const auto& field : message.fields) {
+      if (!keys.insert(field.key).second)
+        throw DefinitionError{field.source, fmt::format("{} has two fields named {}", message.name, field.name)};
+      if (field.enumeration.empty()) continue;
+      const auto enumeration = enumerations_.find(field.enumeration);
+      if (enumeration == enumerations_.end())
+        throw DefinitionError{field.source, fmt::format("enum {} of {} is not defined", field.enumeration, field.name)};
+      enumeration->second.bitmap |= field.role == "bitmap";
+    }
+    CrcX25 crc;
+    crc.add(message.name + ' ');
+    std::size_t offset = 0;
+    for (const auto index : wire_order(message)) {
+      auto& field = message.fields[index];
+      field.offset = offset;
+      offset += field.size();
+      if (field.extension) continue;
+      message.base_length = offset;
+      crc.add(fmt::format("{} {} ", wire_type_name(field), field.name));
+      if (field.count > 0) crc.add(static_cast<std::uint8_t>(field.count));
+    }
+    message.full_length = offset;
+    message.crc_extra = crc.folded();
+    if (message.fields.empty()) throw DefinitionError{message.source, fmt::format("{} has no fields", message.name)};
+    if (offset > largest_payload)
+      throw DefinitionError{message.source,
+                            fmt::format("{} needs {} bytes, more than the 255 of a frame", message.name, offset)};
+  }
+
+  const std::vector<std::filesystem::path>& search_path_;
+  std::set<std::filesystem::path> read_;
+  std::map<std::uint32_t, Message> messages_;
+  std::vector<Message> extensions_;
+  std::map<std::string, Enumeration> enumerations_;
+  std::map<std::string, std::pair<std::string, std::uint64_t>> entries_;  ///< name of an entry: its enum and value
+};
+
+}  // namespace
+
+std::vector<std::size_t> wire_order(const Message& message) {
+  std::vector<std::size_t> order(message.fields.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    const auto& left = message.fields[a];
+    const auto& right = message.fields[b];
+    if (left.extension || right.extension) return !left.extension && right.extension;
+    return left.width > right.width;
+  });
+  return order;
+}
+
+Protocol read_mavlink(const std::filesystem::path& file, const std::vector<std::filesystem::path>& search_path) {
+  DialectReader reader{search_path};
+  reader.read(file);
+  return reader.finish(snake_case(file.stem().string()));
+}
+
+}  // namespace ponte::codegen

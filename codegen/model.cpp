@@ -1,0 +1,33 @@
+#include "codegen/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace ponte::codegen {
+
+DefinitionError::DefinitionError(const Source& source, std::string_view what)
+    : std::runtime_error{source.line == 0 ? fmt::format("{}: {}", source.file.string(), what)
+                                          : fmt::format("{}:{}: {}", source.file.string(), source.line, what)} {}
+
+const Enumeration* Protocol::find_enumeration(std::string_view wanted) const {
+  const auto found = std::ranges::lower_bound(enumerations, wanted, {}, &Enumeration::name);
+  return found != enumerations.end() && found->name == wanted ? &*found : nullptr;
+}
+
+std::size_t line_at(std::string_view text, std::size_t offset) {
+  const auto before = text.substr(0, std::min(offset, text.size()));
+  return 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file{path, std::ios::binary};
+  if (!file || std::filesystem::is_directory(path)) throw DefinitionError{{path, 0}, "cannot be read"};
+  std::ostringstream text;
+  text << file.rdbuf();
+  return std::move(text).str();
+}
+
+}  // namespace ponte::codegen

@@ -1,0 +1,35 @@
+"""What all integration tests share: the folders, and the programs under test.
+
+PONTE_BIN is the path of the program ponte (build/release/bin/ponte if it is not set), PONTE_TOOLS the folder with the
+probes that only tests use, PONTE_SEED replaces the seed of the random tests.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "independent"))
+
+from programs import PONTE_DEFAULT, REPOSITORY, program_from  # noqa: E402
+
+
+@pytest.fixture(scope="session")
+def repository() -> Path:
+    """The root of the repository."""
+    return REPOSITORY
+
+
+@pytest.fixture(scope="session")
+def ponte() -> Path:
+    """The program under test."""
+    return program_from("PONTE_BIN", None, PONTE_DEFAULT)
+
+
+@pytest.fixture(scope="session")
+def probe() -> Callable[[str], Path]:
+    """Gives the path of a probe by its name."""
+    return lambda name: program_from("PONTE_TOOLS", name, None)
