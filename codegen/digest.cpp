@@ -58,6 +58,7 @@ void check_digest(const Protocol& protocol, const std::filesystem::path& digest_
     expected.erase(entry);
   }
   for (const auto& [id, entry] : expected) tell({digest_file, entry.first}, "no such message", entry.second);
+  if (differences > most_differences_told) told += fmt::format("\n  and {} more", differences - most_differences_told);
   if (differences > 0)
     throw DefinitionError{{digest_file, 0},
                           fmt::format("the definitions differ from the digest in {} messages. A changed message is "

@@ -8,7 +8,8 @@ namespace ponte::codegen {
 
 [[nodiscard]] std::string digest_of(const Protocol& protocol);
 
-/// Throws `DefinitionError` that names every message in which `protocol` and the digest file differ.
+/// Throws `DefinitionError` that names the messages in which `protocol` and the digest file differ: the first 20, and
+/// how many there are.
 void check_digest(const Protocol& protocol, const std::filesystem::path& digest_file);
 
 }  // namespace ponte::codegen

@@ -14,11 +14,15 @@ namespace ponte::codegen {
 namespace {
 
 constexpr std::size_t widest_presence_vector = 8;
-constexpr std::size_t longest_text = 512;
+constexpr std::size_t longest_text = 255;
 constexpr std::int64_t largest_number = 65000;
+constexpr std::size_t longest_line = 4000;
+constexpr double largest_scale = 1'000'000;
 constexpr std::array confidences{"standard", "single-source", "inferred", "unknown"};
 constexpr std::array roles{"enum", "bitmap", "id", "table", "country"};
 constexpr std::array editions{"3", "A"};
+/// Names of generated files that are not messages.
+constexpr std::array taken_keys{"all", "catalogue", "enumerations"};
 
 /// A TOML table with its file: reads typed keys, and refuses what is missing, mistyped or left over.
 class Table {
@@ -65,7 +69,8 @@ class Table {
     const auto* node = take(key);
     if (node == nullptr) return 0;
     const auto value = node->value<double>();
-    if (!node->is_number() || !value || !(*value > 0) || *value > 1e6) refuse(key, "must be a number above 0");
+    if (!node->is_number() || !value || !(*value > 0) || *value > largest_scale)
+      refuse(key, fmt::format("must be a number above 0, at most {}", largest_scale));
     return *value;
   }
   [[nodiscard]] bool optional_flag(std::string_view key) {
@@ -199,19 +204,16 @@ Field read_field(Table& table) {
     }
     field.note = table.optional_text("note");
     if (field.key.empty()) table.refuse("name", "must have a letter or digit");
-    const bool is_integer = field.kind == Kind::unsigned_integer || field.kind == Kind::signed_integer;
-    if (field.scale != 0 && !is_integer) table.refuse("scale", "only an integer has a scale");
-    if (!field.role.empty() && !is_integer) table.refuse("role", "only an integer can be an enum, bitmap or id");
+    if (field.scale != 0 && !field.is_integer()) table.refuse("scale", "only an integer has a scale");
+    if (!field.role.empty() && !field.is_integer())
+      table.refuse("role", "only an integer can be an enum, bitmap or id");
   }
   table.refuse_the_rest();
   return field;
 }
 
-/// True when the field is a physical value that cannot be computed from its raw integer.
-bool lacks_scale(const Field& field) {
-  return !field.excluded && !field.unit.empty() && field.scale == 0 && field.kind != Kind::bam &&
-         field.kind != Kind::real;
-}
+/// True when `field` tells the length of a variable text that comes after it.
+bool can_tell_length(const Field& field) { return field.kind == Kind::unsigned_integer && !field.excluded; }
 
 void check_fields(const Message& message, Table& table) {
   std::set<std::string> keys;
@@ -222,15 +224,17 @@ void check_fields(const Message& message, Table& table) {
           field.source, fmt::format("n: is {}, expected {}: fields are numbered without gaps", field.number, i + 1)};
     if (!keys.insert(field.key).second)
       throw DefinitionError{field.source, fmt::format("name: '{}' stands twice in #{}", field.name, message.number)};
-    if (field.length_from != 0 && field.length_from >= field.number)
-      throw DefinitionError{field.source, "length_from: must name an earlier field"};
+    if (field.length_from == 0) continue;
+    if (field.length_from >= field.number || !can_tell_length(message.fields[field.length_from - 1]))
+      throw DefinitionError{field.source, "length_from: must name an earlier field that is an unsigned integer"};
   }
   for (std::size_t e = 0; e < editions.size(); ++e) {
-    const auto known = static_cast<std::size_t>(
-        std::ranges::count_if(message.fields, [&](const Field& field) { return e == 1 || !field.since_edition_a; }));
-    if (message.presence_bytes[e] != 0 && message.presence_bytes[e] * 8 < known)
-      table.refuse("presence_bytes", fmt::format("{} bytes cannot mark the {} fields of Edition {}",
-                                                 message.presence_bytes[e], known, editions[e]));
+    std::size_t last = 0;
+    for (const auto& field : message.fields)
+      if (e == 1 || !field.since_edition_a) last = field.number;
+    if (message.presence_bytes[e] != 0 && message.presence_bytes[e] * 8 < last)
+      table.refuse("presence_bytes", fmt::format("{} bytes cannot mark field {} of Edition {}",
+                                                 message.presence_bytes[e], last, editions[e]));
   }
 }
 
@@ -241,7 +245,11 @@ Message read_message(Table& table) {
   message.name = table.text("name");
   message.name_a = table.has("name_a") ? table.text("name_a") : message.name;
   message.key = table.has("key") ? table.text("key") : snake_case(message.name);
+  if (message.key.empty()) table.refuse("name", "must have a letter or digit");
   if (message.key != snake_case(message.key)) table.refuse("key", "must be snake_case");
+  if (std::ranges::find(taken_keys, message.key) != taken_keys.end())
+    table.refuse(table.has("key") ? "key" : "name",
+                 fmt::format("'{}' is the name of another generated file", message.key));
   for (const auto& edition : table.optional_texts("editions")) {
     const auto found = std::ranges::find(editions, edition);
     if (found == editions.end()) table.refuse("editions", fmt::format("'{}' is not one of 3, A", edition));
@@ -270,7 +278,7 @@ Message read_message(Table& table) {
   for (std::size_t e = 0; e < editions.size(); ++e)
     if (message.in_edition[e] && !message.fields.empty() && message.presence_bytes[e] == 0)
       table.refuse("presence_bytes", fmt::format("Edition {} is missing", editions[e]));
-  message.partial = message.fields.empty() || std::ranges::any_of(message.fields, lacks_scale);
+  message.partial = message.fields.empty() || std::ranges::any_of(message.fields, &Field::lacks_scale);
   return message;
 }
 
@@ -290,6 +298,7 @@ Enumeration read_enumeration(std::string name, Table& table) {
     entry.name = item.text("label");
     entry.note = item.optional_text("note");
     item.refuse_the_rest();
+    if (snake_case(entry.name).empty()) item.refuse("label", "must have a letter or digit");
     if (entry.last < entry.first) item.refuse("last", "is below first");
     if (!enumeration.entries.empty() && entry.first <= enumeration.entries.back().last)
       item.refuse(is_range ? "first" : "value", "values must ascend");
@@ -304,13 +313,25 @@ Group read_group(Table& table) {
   group.name = table.text("name");
   group.first = static_cast<std::uint32_t>(table.number("first", 0, largest_number));
   group.last = static_cast<std::uint32_t>(table.number("last", 0, largest_number));
+  if (group.last < group.first) table.refuse("last", "is below first");
   group.message_count = static_cast<std::uint32_t>(table.number("messages_in_ed3", 0, largest_number));
   group.table = table.text("ed3_table");
   table.refuse_the_rest();
   return group;
 }
 
+/// toml++ 3.3 goes one call deeper for every dot of a key: a line of nothing but dots would exhaust the stack.
+void check_lines(std::string_view text, const std::filesystem::path& file) {
+  for (std::size_t line = 1, begin = 0; begin < text.size(); ++line) {
+    const auto end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > longest_line)
+      throw DefinitionError{{file, line}, fmt::format("the line is longer than {} characters", longest_line)};
+    begin = end + 1;
+  }
+}
+
 void read_file_into(Protocol& protocol, std::string_view text, const std::filesystem::path& file) {
+  check_lines(text, file);
   toml::table parsed;
   try {
     parsed = toml::parse(text, file.string());
@@ -324,6 +345,7 @@ void read_file_into(Protocol& protocol, std::string_view text, const std::filesy
   if (auto enumerations = table.optional_table("enum"))
     for (const auto& name : enumerations->keys()) {
       auto entry = enumerations->optional_table(name);
+      if (name.empty() || name != snake_case(name)) enumerations->refuse(name, "must be snake_case");
       protocol.enumerations.push_back(read_enumeration(name, *entry));
     }
   for (auto& group : table.optional_tables("group")) protocol.groups.push_back(read_group(group));
@@ -338,7 +360,7 @@ void check_protocol(Protocol& protocol) {
     const auto& message = protocol.messages[i];
     if (i > 0 && protocol.messages[i - 1].number == message.number)
       throw DefinitionError{message.source, fmt::format("number: {} is defined twice", message.number)};
-    if (!keys.insert(message.key).second)
+    if (!keys.insert(pascal_case(message.key)).second)  // "a_1" and "a1" are one struct name
       throw DefinitionError{message.source, fmt::format("key: '{}' is taken by another message", message.key)};
     for (const auto& field : message.fields)
       if (!field.enumeration.empty() && protocol.find_enumeration(field.enumeration) == nullptr)
@@ -346,7 +368,8 @@ void check_protocol(Protocol& protocol) {
   }
   for (std::size_t i = 1; i < protocol.enumerations.size(); ++i)
     if (protocol.enumerations[i - 1].name == protocol.enumerations[i].name)
-      throw DefinitionError{protocol.enumerations[i].source, "is defined twice"};
+      throw DefinitionError{protocol.enumerations[i].source,
+                            fmt::format("enum: '{}' is defined twice", protocol.enumerations[i].name)};
 }
 
 }  // namespace

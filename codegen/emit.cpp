@@ -42,10 +42,17 @@ void for_each_message(F&& f) {{
                      generated_notice, includes, name_space, id_type, cases, calls, name_space);
 }
 
+std::string unsigned_type_for(std::uint64_t largest) {
+  for (const unsigned bits : {8U, 16U, 32U})
+    if (largest >> bits == 0) return fmt::format("std::uint{}_t", bits);
+  return "std::uint64_t";
+}
+
 void write_files(const Files& files, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const auto& entry : std::filesystem::recursive_directory_iterator{folder})
-    if (entry.is_regular_file() && !files.contains(std::filesystem::relative(entry.path(), folder)))
+    if (entry.is_regular_file() && !files.contains(std::filesystem::relative(entry.path(), folder)) &&
+        read_file(entry.path()).starts_with(generated_notice))
       std::filesystem::remove(entry.path());
   for (const auto& [name, text] : files) {
     const auto path = folder / name;

@@ -66,7 +66,7 @@ std::string comment(const Field& field) {
   if (field.since_edition_a) add("Edition A only");
   if (field.guessed) add("type or scale inferred");
   add(field.note);
-  return text.empty() ? "" : "  ///< " + text;
+  return text.empty() ? "" : "  ///< " + one_line(text);
 }
 
 std::string message_info(const Message& message, std::string_view fields) {
@@ -148,8 +148,8 @@ std::string enumerations_header(const Protocol& protocol) {
     for (const auto& entry : enumeration.entries) {
       const auto key = snake_case(entry.name);
       if (entry.first == entry.last && key != "reserved" && keys.insert(key).second)
-        constants += fmt::format("inline constexpr std::uint8_t {} = {};{}\n", key, entry.first,
-                                 entry.note.empty() ? "" : "  ///< " + entry.note);
+        constants += fmt::format("inline constexpr {} {} = {};{}\n", unsigned_type_for(entry.last), key, entry.first,
+                                 entry.note.empty() ? "" : "  ///< " + one_line(entry.note));
     }
     if (!constants.empty())
       text += fmt::format("namespace {} {{\n{}}}  // namespace {}\n\n", enumeration.name, constants, enumeration.name);

@@ -1,4 +1,5 @@
 #include "codegen/emit.hpp"
+#include "codegen/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +9,8 @@
 namespace ponte::codegen {
 namespace {
 
-std::string cell(std::string text) {
+std::string cell(std::string_view written) {
+  auto text = one_line(written);
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
   return text;
 }
@@ -35,8 +37,7 @@ std::string meaning_of(const Field& field) {
     text += more;
   };
   add(field.scale != 0 ? fmt::format("{} {}", field.scale, field.unit) : field.unit);
-  if (!field.unit.empty() && field.scale == 0 && field.kind != Kind::bam && field.kind != Kind::real)
-    add("**scale not known**");
+  if (field.lacks_scale()) add("**scale not known**");
   if (!field.enumeration.empty())
     add(fmt::format("[{}](#{})", field.enumeration, field.enumeration));
   else
@@ -79,9 +80,12 @@ std::string emit_dli_reference(const Protocol& protocol) {
     const auto in_group = [&](const Message& message) {
       return message.number >= group.first && message.number <= group.last;
     };
-    text += fmt::format("## {} ({} to {})\n\nEdition 3 has {} messages here (table {}); {} are known to us.\n\n",
-                        group.name, group.first, group.last, group.message_count, group.table,
-                        std::ranges::count_if(protocol.messages, in_group));
+    const auto known = std::ranges::count_if(protocol.messages, in_group);
+    const auto known_ed3 = std::ranges::count_if(
+        protocol.messages, [&](const Message& message) { return in_group(message) && message.in_edition[0]; });
+    text += fmt::format("## {} ({} to {})\n\nEdition 3 has {} messages here (table {}); {} of them are known to us",
+                        group.name, group.first, group.last, group.message_count, group.table, known_ed3);
+    text += known > known_ed3 ? fmt::format(", and {} of Edition A alone.\n\n", known - known_ed3) : ".\n\n";
     for (const auto& message : protocol.messages)
       if (in_group(message)) text += message_section(message);
   }

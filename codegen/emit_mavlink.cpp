@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
 
 namespace ponte::codegen {
 namespace {
@@ -27,13 +27,11 @@ std::string field_type_name(const Field& field) {
   }
 }
 
-/// The smallest unsigned type that holds every value of an enumeration.
+/// A type that holds every value of an enumeration.
 std::string underlying_type(const Enumeration& enumeration) {
   std::uint64_t largest = 0;
   for (const auto& entry : enumeration.entries) largest = std::max(largest, entry.last);
-  for (const unsigned bits : {8U, 16U, 32U})
-    if (largest >> bits == 0) return fmt::format("std::uint{}_t", bits);
-  return "std::uint64_t";
+  return unsigned_type_for(largest);
 }
 
 std::string comment(const Field& field, bool descriptions) {
@@ -47,7 +45,7 @@ std::string comment(const Field& field, bool descriptions) {
   if (!field.invalid.empty()) add(fmt::format("{} means unknown", field.invalid));
   if (field.extension) add("extension");
   if (descriptions) add(field.note);
-  return text.empty() ? "" : "  ///< " + text;
+  return text.empty() ? "" : "  ///< " + one_line(text);
 }
 
 std::string field_table(const Message& message) {
@@ -63,7 +61,6 @@ std::string field_table(const Message& message) {
 std::string message_header(const Protocol& protocol, const Message& message, bool descriptions) {
   std::string members;
   std::string visits;
-  bool arrays = false;
   bool texts = false;
   bool enums = false;
   for (std::size_t i = 0; i < message.fields.size(); ++i) {
@@ -72,7 +69,6 @@ std::string message_header(const Protocol& protocol, const Message& message, boo
         fmt::format("  {} {}{{{}}};{}\n", member_type(field), field.key, field.initial, comment(field, descriptions));
     visits += fmt::format("    visitor(fields[{}], self.{});\n", i, field.key);
     texts |= field.kind == Kind::character && field.count > 0;
-    arrays |= field.count > 0;
     enums |= !field.enumeration.empty();
   }
   std::string includes;
@@ -117,7 +113,7 @@ std::string enums_header(const Protocol& protocol) {
   std::string infos;
   for (const auto& enumeration : protocol.enumerations) {
     enums += fmt::format("enum {} : {} {{\n", enumeration.name, underlying_type(enumeration));
-    for (const auto& entry : enumeration.entries) enums += fmt::format("  {} = {},\n", entry.name, entry.first);
+    for (const auto& entry : enumeration.entries) enums += fmt::format("  {} = {}U,\n", entry.name, entry.first);
     enums += "};\n\n";
     infos += fmt::format("extern const EnumInfo {};\n", enumeration.name);
   }

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t largest_payload = 255;
 constexpr std::size_t deepest_include = 16;
+/// Names of generated files that are not messages.
+constexpr std::array taken_keys{"all", "dialect", "enums"};
 
 struct ScalarType {
   std::string_view name;
@@ -60,15 +62,27 @@ class CrcX25 {
 };
 
 /// One XML file while it is read.
-struct Document {
-  std::filesystem::path path;
-  std::string text;
-  pugi::xml_document xml;
-
-  [[nodiscard]] Source at(const pugi::xml_node& node) const {
-    const auto offset = node.offset_debug();
-    return {path, offset < 0 ? 0 : line_at(text, static_cast<std::size_t>(offset))};
+class Document {
+ public:
+  Document(std::filesystem::path file, std::string_view text) : path{std::move(file)} {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '\n') line_ends_.push_back(i);
+    const auto parsed = xml_.load_buffer(text.data(), text.size());
+    if (!parsed) throw DefinitionError{at(parsed.offset), fmt::format("not well-formed XML: {}", parsed.description())};
   }
+
+  const std::filesystem::path path;
+
+  [[nodiscard]] pugi::xml_node root() const {
+    const auto found = xml_.child("mavlink");
+    if (!found) throw DefinitionError{{path, 1}, "the root element is not <mavlink>"};
+    return found;
+  }
+  [[nodiscard]] Source at(std::ptrdiff_t offset) const {
+    const auto line = std::ranges::lower_bound(line_ends_, static_cast<std::size_t>(std::max(offset, {})));
+    return {path, static_cast<std::size_t>(line - line_ends_.begin()) + 1};
+  }
+  [[nodiscard]] Source at(const pugi::xml_node& node) const { return at(node.offset_debug()); }
   [[noreturn]] void refuse(const pugi::xml_node& node, std::string_view what) const {
     throw DefinitionError{at(node), what};
   }
@@ -77,55 +91,64 @@ struct Document {
     if (!found || *found.value() == '\0') refuse(node, fmt::format("<{}> needs a {}", node.name(), name));
     return found.value();
   }
+
+ private:
+  pugi::xml_document xml_;
+  std::vector<std::size_t> line_ends_;  ///< offsets of the newlines
 };
 
+std::optional<std::uint64_t> parse_digits(std::string_view text, int base) {
+  std::uint64_t value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// "12", "0x0C", "0b1100" or a power such as "2**5".
 std::optional<std::uint64_t> parse_number(std::string_view text) {
-  int base = 10;
   if (text.starts_with("2**")) {
-    const auto exponent = parse_number(text.substr(3));
+    const auto exponent = parse_digits(text.substr(3), 10);
     if (!exponent || *exponent > 63) return std::nullopt;
     return std::uint64_t{1} << *exponent;
   }
-  if (text.starts_with("0x") || text.starts_with("0X")) {
-    base = 16;
-    text.remove_prefix(2);
-  } else if (text.starts_with("0b") || text.starts_with("0B")) {
-    base = 2;
-    text.remove_prefix(2);
-  }
-  std::uint64_t value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  if (error != std::errc{} || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return value;
+  if (text.starts_with("0x") || text.starts_with("0X")) return parse_digits(text.substr(2), 16);
+  if (text.starts_with("0b") || text.starts_with("0B")) return parse_digits(text.substr(2), 2);
+  return parse_digits(text, 10);
 }
 
 class DialectReader {
  public:
-  explicit DialectReader(const std::vector<std::filesystem::path>& search_path) : search_path_{search_path} {}
+  /// Without a search path there are no files, and includes are refused.
+  explicit DialectReader(const std::vector<std::filesystem::path>* search_path) : search_path_{search_path} {}
 
   void read(const std::filesystem::path& path, std::size_t depth = 0) {
     std::error_code ignored;
     if (!read_.insert(std::filesystem::weakly_canonical(path, ignored)).second) return;
-    Document document{path, read_file(path), {}};
-    const auto parsed = document.xml.load_buffer(document.text.data(), document.text.size());
-    if (!parsed)
-      throw DefinitionError{
-          {path, line_at(document.text, static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)))},
-          fmt::format("not well-formed XML: {}", parsed.description())};
-    const auto root = document.xml.child("mavlink");
-    if (!root) throw DefinitionError{{path, 1}, "the root element is not <mavlink>"};
+    read_text(path, read_file(path), depth);
+  }
+
+  void read_text(const std::filesystem::path& path, std::string_view text, std::size_t depth = 0) {
+    const Document document{path, text};
+    const auto root = document.root();
     for (const auto& include : root.children("include")) {
       if (depth == deepest_include) document.refuse(include, "includes are nested too deeply");
       read(resolve(document, include), depth + 1);
     }
-    for (const auto& node : root.child("enums").children("enum")) read_enumeration(document, node);
-    for (const auto& node : root.child("messages").children("message")) read_message(document, node);
+    for (const auto& group : root.children("enums"))
+      for (const auto& node : group.children("enum")) read_enumeration(document, node);
+    for (const auto& group : root.children("messages"))
+      for (const auto& node : group.children("message")) read_message(document, node);
   }
 
   [[nodiscard]] Protocol finish(std::string name) {
     Protocol protocol{std::move(name), {}, {}, {}};
     for (auto& extension : extensions_) extend(extension);
+    std::map<std::string, std::uint32_t> types;  ///< "A_1" and "A1" would be one struct
     for (auto& [number, message] : messages_) {
+      const auto [twin, is_new] = types.emplace(pascal_case(message.key), number);
+      if (!is_new)
+        throw DefinitionError{message.source, fmt::format("the name {} of message {} is taken by message {}",
+                                                          message.name, number, twin->second)};
       check_and_lay_out(message);
       protocol.messages.push_back(std::move(message));
     }
@@ -139,7 +162,8 @@ class DialectReader {
  private:
   [[nodiscard]] std::filesystem::path resolve(const Document& document, const pugi::xml_node& include) const {
     const std::string name = one_line(include.child_value());
-    auto candidates = search_path_;
+    if (search_path_ == nullptr) document.refuse(include, fmt::format("'{}' cannot be included into a text", name));
+    auto candidates = *search_path_;
     candidates.insert(candidates.begin(), document.path.parent_path());
     for (const auto& folder : candidates) {
       std::error_code error;
@@ -150,6 +174,7 @@ class DialectReader {
 
   void read_enumeration(const Document& document, const pugi::xml_node& node) {
     const auto name = document.attribute(node, "name");
+    if (!is_identifier(name)) document.refuse(node, fmt::format("enum name '{}' is not an identifier", name));
     auto& enumeration = enumerations_[name];
     if (enumeration.name.empty()) {
       enumeration.name = name;
@@ -161,6 +186,8 @@ class DialectReader {
       Entry entry;
       entry.name = document.attribute(item, "name");
       entry.source = document.at(item);
+      if (!is_identifier(entry.name))
+        document.refuse(item, fmt::format("entry name '{}' is not an identifier", entry.name));
       if (const auto text = item.attribute("value")) {
         const auto value = parse_number(text.value());
         if (!value) document.refuse(item, fmt::format("value '{}' of {} is not a number", text.value(), entry.name));
@@ -191,6 +218,8 @@ class DialectReader {
     message.source = document.at(node);
     message.name = document.attribute(node, "name");
     message.key = snake_case(message.name);
+    if (message.key.empty() || std::ranges::find(taken_keys, message.key) != taken_keys.end())
+      document.refuse(node, fmt::format("'{}' cannot be the name of a message", message.name));
     const auto number = parse_number(document.attribute(node, "id"));
     if (!number || *number > 0xFFFFFF)
       document.refuse(node, fmt::format("id of {} must be 0 to 16777215", message.name));
@@ -220,6 +249,7 @@ class DialectReader {
     field.source = document.at(node);
     field.name = document.attribute(node, "name");
     field.key = snake_case(field.name);
+    if (field.key.empty()) document.refuse(node, fmt::format("'{}' cannot be the name of a field", field.name));
     field.unit = node.attribute("units").value();
     field.invalid = node.attribute("invalid").value();
     field.enumeration = node.attribute("enum").value();
@@ -293,13 +323,19 @@ class DialectReader {
                             fmt::format("{} needs {} bytes, more than the 255 of a frame", message.name, offset)};
   }
 
-  const std::vector<std::filesystem::path>& search_path_;
+  const std::vector<std::filesystem::path>* search_path_;
   std::set<std::filesystem::path> read_;
   std::map<std::uint32_t, Message> messages_;
   std::vector<Message> extensions_;
   std::map<std::string, Enumeration> enumerations_;
   std::map<std::string, std::pair<std::string, std::uint64_t>> entries_;  ///< name of an entry: its enum and value
 };
+
+std::string dialect_name(const std::filesystem::path& file) {
+  auto name = snake_case(file.stem().string());
+  if (name.empty()) throw DefinitionError{{file, 0}, "the file name must have a letter or digit, to name the dialect"};
+  return name;
+}
 
 }  // namespace
 
@@ -316,9 +352,15 @@ std::vector<std::size_t> wire_order(const Message& message) {
 }
 
 Protocol read_mavlink(const std::filesystem::path& file, const std::vector<std::filesystem::path>& search_path) {
-  DialectReader reader{search_path};
+  DialectReader reader{&search_path};
   reader.read(file);
-  return reader.finish(snake_case(file.stem().string()));
+  return reader.finish(dialect_name(file));
+}
+
+Protocol read_mavlink_text(std::string_view text, const std::filesystem::path& name) {
+  DialectReader reader{nullptr};
+  reader.read_text(name, text);
+  return reader.finish(dialect_name(name));
 }
 
 }  // namespace ponte::codegen

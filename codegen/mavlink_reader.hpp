@@ -12,6 +12,9 @@ namespace ponte::codegen {
 [[nodiscard]] Protocol read_mavlink(const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& search_path);
 
+/// The same from one text, for tests and fuzzing. There are no files, so an include is refused.
+[[nodiscard]] Protocol read_mavlink_text(std::string_view text, const std::filesystem::path& name);
+
 /// The order in which fields travel: base fields by element size, largest first, then the extensions as defined.
 /// The numbers are indices into `message.fields`.
 [[nodiscard]] std::vector<std::size_t> wire_order(const Message& message);

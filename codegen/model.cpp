@@ -17,11 +17,6 @@ const Enumeration* Protocol::find_enumeration(std::string_view wanted) const {
   return found != enumerations.end() && found->name == wanted ? &*found : nullptr;
 }
 
-std::size_t line_at(std::string_view text, std::size_t offset) {
-  const auto before = text.substr(0, std::min(offset, text.size()));
-  return 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
-}
-
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream file{path, std::ios::binary};
   if (!file || std::filesystem::is_directory(path)) throw DefinitionError{{path, 0}, "cannot be read"};

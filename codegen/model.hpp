@@ -71,6 +71,11 @@ struct Field {
   bool guessed{};
 
   [[nodiscard]] std::size_t size() const { return width * (count == 0 ? 1 : count); }
+  [[nodiscard]] bool is_integer() const { return kind == Kind::unsigned_integer || kind == Kind::signed_integer; }
+  /// DLI: true for a physical value that cannot be computed from its raw integer.
+  [[nodiscard]] bool lacks_scale() const {
+    return is_integer() && !excluded && role.empty() && !unit.empty() && scale == 0;
+  }
 };
 
 inline constexpr std::size_t edition_count = 2;  ///< Edition 3, Edition A
@@ -120,9 +125,6 @@ struct Protocol {
 
   [[nodiscard]] const Enumeration* find_enumeration(std::string_view wanted) const;
 };
-
-/// Line, counted from 1, of the character at `offset`.
-[[nodiscard]] std::size_t line_at(std::string_view text, std::size_t offset);
 
 /// Throws `DefinitionError` when the file cannot be read.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);

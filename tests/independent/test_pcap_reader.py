@@ -16,7 +16,8 @@ def ipv4_udp(payload: bytes) -> bytes:
     size = 28 + len(payload)
     head = struct.pack(">BBHHHBBH4s4s", 0x45, 0, size, 1, 0, 1, 17, 0, bytes((10, 0, 0, 1)), bytes((239, 255, 45, 86)))
     check = 0xFFFF ^ ones_complement_sum(head)
-    return head[:10] + check.to_bytes(2, "big") + head[12:] + struct.pack(">HHHH", 4000, 45860, 8 + len(payload), 0) + payload
+    udp = struct.pack(">HHHH", 4000, 45860, 8 + len(payload), 0)
+    return head[:10] + check.to_bytes(2, "big") + head[12:] + udp + payload
 
 
 def capture(order: str, magic: int, link_type: int, packets: list[bytes]) -> bytes:

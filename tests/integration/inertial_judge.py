@@ -102,6 +102,10 @@ class InertialJudge:
         if not self.positions_seen and any(position[2] or position[3] for position in before_an_attitude):
             self._note("no #4000 has a position, though the recording has them")
 
+    def report(self) -> str:
+        """The findings, one a line; after the first ones no more are kept."""
+        return "\n".join(self.findings)
+
     def _positions_before_next_attitude(self) -> list[dict[int, int]]:
         """The positions that may be the newest one at this point: the last known and those up to the next ATTITUDE."""
         attitudes, positions, seen = self.expected.attitudes, self.expected.positions, self.attitudes_seen

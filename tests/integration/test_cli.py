@@ -117,8 +117,13 @@ def test_the_capture_holds_the_messages_that_json_shows(ponte: Path, capture: Pa
     assert packets and len(read) == len(shown)
     for message, told in zip(read, shown):
         wrapped = message.wrapped
-        ends = identifier_text(wrapped.source), identifier_text(wrapped.destination)
-        assert (message.number, message.edition, *ends) == (told["number"], told["edition"], told["source"], told["destination"])
+        read_wrapper = {
+            "number": message.number,
+            "edition": message.edition,
+            "source": identifier_text(wrapped.source),
+            "destination": identifier_text(wrapped.destination),
+        }
+        assert read_wrapper == {key: told[key] for key in read_wrapper}
         assert len(message.fields) == len(told["fields"])
         assert not message.unknown_bits
         if message.number == 4000:

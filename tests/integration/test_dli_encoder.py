@@ -96,7 +96,8 @@ def wrapper_findings(message: Message, edition: str, instance: Instance) -> list
         "ack": wrapped.acknowledge,
         "checksum": wrapped.checksum_size,
     }
-    found = [f"{key} is said to be {instance.get(key)!r}, is {value!r}" for key, value in read.items() if instance.get(key) != value]
+    wrong = {key: value for key, value in read.items() if instance.get(key) != value}
+    found = [f"{key} is said to be {instance.get(key)!r}, is {value!r}" for key, value in wrong.items()]
     if wrapped.sequence not in SEQUENCE_FIELD[edition]:
         found.append(f"the first field of the wrapper holds {wrapped.sequence:04X}")
     if wrapped.reserved_bits:

@@ -59,7 +59,8 @@ def test_random_attitudes(ponte: Path, tmp_path: Path) -> None:
     expected, messages = translated(ponte, tmp_path / "random.tlog", attitudes)
     assert len(expected.attitudes) == COUNT
     assert all(set(range(12, 18)) <= a.fields.keys() for a in expected.attitudes)
-    assert judge(expected, messages).findings == [], f"PONTE_SEED={seed}"
+    judged = judge(expected, messages)
+    assert not judged.findings, f"PONTE_SEED={seed}\n{judged.report()}"
 
 
 def test_rates_are_absent_when_the_nose_is_vertical(ponte: Path, tmp_path: Path) -> None:
@@ -67,7 +68,8 @@ def test_rates_are_absent_when_the_nose_is_vertical(ponte: Path, tmp_path: Path)
     level: list[Attitude] = [(0.1, 0.0, 0.2, 0.3, 0.4, 0.5)]
     expected, messages = translated(ponte, tmp_path / "vertical.tlog", vertical + level)
     assert [sorted(a.fields) for a in expected.attitudes] == [[12, 13, 14], [12, 13, 14], [12, 13, 14, 15, 16, 17]]
-    assert judge(expected, messages).findings == []
+    judged = judge(expected, messages)
+    assert not judged.findings, judged.report()
 
 
 def test_rates_beyond_the_range_of_the_field_are_absent(ponte: Path, tmp_path: Path) -> None:
@@ -75,12 +77,18 @@ def test_rates_beyond_the_range_of_the_field_are_absent(ponte: Path, tmp_path: P
     attitudes: list[Attitude] = [(0.0, 0.0, 0.0, rate, 0.0, 0.0) for rate in (largest - 1, -largest + 1, 200.0, -200.0)]
     expected, messages = translated(ponte, tmp_path / "fast.tlog", attitudes)
     assert [15 in a.fields for a in expected.attitudes] == [True, True, False, False]
-    assert judge(expected, messages).findings == []
+    judged = judge(expected, messages)
+    assert not judged.findings, judged.report()
 
 
 def test_a_value_that_is_not_a_number_is_absent(ponte: Path, tmp_path: Path) -> None:
     nan = math.nan
-    attitudes: list[Attitude] = [(0.1, 0.2, nan, 0.3, 0.4, 0.5), (0.1, nan, 0.2, 0.3, 0.4, 0.5), (0.1, 0.2, 0.3, nan, 0.4, 0.5)]
+    attitudes: list[Attitude] = [
+        (0.1, 0.2, nan, 0.3, 0.4, 0.5),
+        (0.1, nan, 0.2, 0.3, 0.4, 0.5),
+        (0.1, 0.2, 0.3, nan, 0.4, 0.5),
+    ]
     expected, messages = translated(ponte, tmp_path / "nan.tlog", attitudes)
     assert [sorted(a.fields) for a in expected.attitudes] == [[12, 13, 15, 16, 17], [12, 14], [12, 13, 14, 16, 17]]
-    assert judge(expected, messages).findings == []
+    judged = judge(expected, messages)
+    assert not judged.findings, judged.report()

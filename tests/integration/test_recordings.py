@@ -39,8 +39,9 @@ def test_inspect_counts_what_is_in_the_recording(ponte: Path, recording: Path) -
             counts[line["system"], line["component"], line["id"]] += line["count"]
             names[line["id"]] = line["name"]
     expected = counted(recording)
-    differing = {key: (counts[key], expected[key]) for key in counts.keys() | expected.keys() if counts[key] != expected[key]}
-    assert differing == {}, "system, component, id: (ponte, pymavlink)"
+    both = {key: (counts[key], expected[key]) for key in counts.keys() | expected.keys()}
+    differing = {key: pair for key, pair in both.items() if pair[0] != pair[1]}
+    assert not differing, f"(system, component, id): (ponte, pymavlink) {differing}"
     assert {i: dialect.mavlink_map[i].msgname for i in names if i in dialect.mavlink_map} == {
         i: name for i, name in names.items() if i in dialect.mavlink_map
     }
@@ -49,4 +50,4 @@ def test_inspect_counts_what_is_in_the_recording(ponte: Path, recording: Path) -
 @pytest.mark.parametrize("recording", parameters())
 def test_every_attitude_becomes_inertial_states(ponte: Path, recording: Path) -> None:
     judged = judge(expected_of(recording), json_objects([ponte, "translate", recording, "--json"]))
-    assert judged.findings == []
+    assert not judged.findings, judged.report()

@@ -28,7 +28,9 @@ void read_value(Bytes bytes, T& value) {
     value = static_cast<T>(load_unsigned(bytes));
 }
 
-inline void read_value(Bytes bytes, float& value) { value = std::bit_cast<float>(load_be<std::uint32_t>(bytes.data())); }
+inline void read_value(Bytes bytes, float& value) {
+  value = std::bit_cast<float>(load_be<std::uint32_t>(bytes.data()));
+}
 
 template <std::size_t Capacity>
 void read_value(Bytes bytes, Text<Capacity>& value) {
@@ -78,8 +80,9 @@ template <Message M>
   return writer.finish();
 }
 
-/// Encodes a message straight into a datagram, and returns its bytes, wrapper to checksum. Fails with `no_room` when the
-/// message has to go into the next datagram; a failure leaves the datagram as it was.
+/// Encodes a message straight into a datagram, and returns its bytes, wrapper to checksum. Fails with `no_room` when
+/// the message has to go into the next datagram, or into none if this one is empty. A failure leaves the datagram as it
+/// was.
 template <Message M>
 [[nodiscard]] Result<Bytes, EncodeError> add_message(DatagramWriter& datagram, const Envelope& envelope,
                                                      const M& message) {

@@ -16,8 +16,8 @@ enum class EntityType : std::uint8_t { unspecified = 0, cucs = 1, vehicle = 2, v
 /// "CUCS", "vehicle" and so on; "unassigned" for a value without a name.
 [[nodiscard]] std::string_view name_of(EntityType type);
 
-/// Who sends or receives a message (Edition 3, identifiers): an owning code of 8 bits, the type of entity in 3 bits and a
-/// national number of 21 bits.
+/// Who sends or receives a message (Edition 3, identifiers): an owning code of 8 bits, the type of entity in 3 bits and
+/// a national number of 21 bits.
 struct EntityId {
   std::uint32_t value{};
 

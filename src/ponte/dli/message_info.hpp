@@ -47,15 +47,15 @@ enum class FieldType : std::uint8_t {
 enum class Role : std::uint8_t { value, enumeration, bitmap, id, table, country };
 
 struct FieldInfo {
-  std::uint8_t number;  ///< as in the standard; bit `number - 1` of the presence vector
-  std::string_view key;   ///< name in JSON and C++, e.g. "turn_rate"
-  std::string_view name;  ///< e.g. "Turn Rate"
+  std::uint8_t number;         ///< as in the standard; bit `number - 1` of the presence vector
+  std::string_view key;        ///< name in JSON and C++, e.g. "turn_rate"
+  std::string_view name;       ///< e.g. "Turn Rate"
   std::string_view unique_id;  ///< e.g. "0101.19"; empty: not known
   FieldType type;
   std::uint8_t width;        ///< bytes on the wire; 0 for variable text
   std::uint8_t length_from;  ///< number of the field that tells the length of a variable text
   Role role;
-  double scale;  ///< physical value = raw * scale; 0: no such value, or the scale is not known
+  double scale;           ///< physical value = raw * scale; 0: no such value, or the scale is not known
   std::string_view unit;  ///< empty: none
   const EnumInfo* enumeration;
   bool since_edition_a;  ///< not in Edition 3
@@ -66,13 +66,13 @@ struct FieldInfo {
 struct MessageInfo {
   MessageNumber number;
   std::string_view key;
-  std::string_view name;    ///< in Edition 3, or the only one
-  std::string_view name_a;  ///< in Edition A
+  std::string_view name;                                   ///< in Edition 3, or the only one
+  std::string_view name_a;                                 ///< in Edition A
   std::array<std::uint8_t, edition_count> presence_bytes;  ///< width of the presence vector; 0: not known
   std::array<bool, edition_count> in_edition;
   Confidence confidence;
   Confidence confidence_ed3;
-  bool partial;  ///< no field table, or a number in it has a unit and no known scale
+  bool partial;                       ///< no field table, or a number in it has a unit and no known scale
   std::span<const FieldInfo> fields;  ///< by number, ascending; empty: only number and name are known
 
   [[nodiscard]] constexpr std::string_view name_in(Edition edition) const {

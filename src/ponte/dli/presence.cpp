@@ -10,10 +10,10 @@ namespace {
 std::optional<std::uint64_t> earlier_integer(const MessageInfo& message, Bytes data, std::size_t offset,
                                              std::uint64_t vector, std::uint8_t number) {
   for (const auto& field : message.fields) {
+    if (field.number > number) break;
     if ((vector >> (field.number - 1U) & 1U) == 0) continue;
-    const auto width = field.width != 0
-                           ? std::uint64_t{field.width}
-                           : earlier_integer(message, data, offset, vector, field.length_from).value_or(0);
+    const auto width = field.width != 0 ? std::uint64_t{field.width}
+                                        : earlier_integer(message, data, offset, vector, field.length_from).value_or(0);
     if (field.number == number) return load_unsigned(data.subspan(offset, width));
     offset += width;
   }
@@ -23,15 +23,16 @@ std::optional<std::uint64_t> earlier_integer(const MessageInfo& message, Bytes d
 }  // namespace
 
 FieldReader::FieldReader(const MessageInfo& message, Bytes data, const Profile& profile)
-    : message_{&message},
-      data_{data},
-      vector_size_{profile.presence_bytes_of(message)},
-      edition_{profile.edition} {
-  if (!profile.has_fields(message)) return refuse(DecodeError::Reason::not_in_edition, 0);
-  if (data.size() < vector_size_) return refuse(DecodeError::Reason::truncated_vector, 0);
-  offset_ = vector_size_;
-  vector_ = load_unsigned(data.first(vector_size_));
-  remaining_ = vector_;
+    : message_{&message}, data_{data}, vector_size_{profile.presence_bytes_of(message)}, edition_{profile.edition} {
+  if (!profile.has_fields(message)) {
+    refuse(DecodeError::Reason::not_in_edition, 0);
+  } else if (data.size() < vector_size_) {
+    refuse(DecodeError::Reason::truncated_vector, 0);
+  } else {
+    offset_ = vector_size_;
+    vector_ = load_unsigned(data.first(vector_size_));
+    remaining_ = vector_;
+  }
 }
 
 void FieldReader::refuse(DecodeError::Reason reason, std::uint8_t field) {
@@ -58,9 +59,12 @@ Result<DecodeFacts, DecodeError> FieldReader::finish() const {
 
 FieldWriter::FieldWriter(const MessageInfo& message, MutableBytes out, const Profile& profile)
     : message_{&message}, out_{out}, vector_size_{profile.presence_bytes_of(message)}, edition_{profile.edition} {
-  if (!profile.has_fields(message)) return refuse(EncodeError::Reason::not_in_edition, 0);
-  if (out.size() < vector_size_) return refuse(EncodeError::Reason::no_room, 0);
-  offset_ = vector_size_;
+  if (!profile.has_fields(message))
+    refuse(EncodeError::Reason::not_in_edition, 0);
+  else if (out.size() < vector_size_)
+    refuse(EncodeError::Reason::no_room, 0);
+  else
+    offset_ = vector_size_;
 }
 
 void FieldWriter::refuse(EncodeError::Reason reason, std::uint8_t field) {

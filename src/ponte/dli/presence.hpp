@@ -40,7 +40,8 @@ struct DecodeFacts {
   friend constexpr bool operator==(const DecodeFacts&, const DecodeFacts&) = default;
 };
 
-/// Takes message data apart, field by field. Ask `next` for every field of the table, in ascending order, then `finish`.
+/// Takes message data apart, field by field. Ask `next` for every field of the table, in ascending order, then
+/// `finish`.
 class FieldReader {
  public:
   /// `message` and `data` must outlive the reader and what it returns.
@@ -86,11 +87,11 @@ class FieldReader {
 
 struct EncodeError {
   enum class Reason : std::uint8_t {
-    not_in_edition,             ///< the message has no field table in the edition of the profile
-    no_room,                    ///< the data do not fit into the buffer
-    value_too_wide,             ///< the raw value of `field` needs more bytes than the field has
-    text_without_length,        ///< `field` is a text whose length field is absent
-    text_longer_than_its_length ///< `field` is a text that its length field would cut
+    not_in_edition,              ///< the message has no field table in the edition of the profile
+    no_room,                     ///< the data do not fit into the buffer
+    value_too_wide,              ///< the raw value of `field` needs more bytes than the field has
+    text_without_length,         ///< `field` is a text whose length field is absent
+    text_longer_than_its_length  ///< `field` is a text that its length field would cut
   } reason;
   std::uint8_t field{};  ///< number of the field, 0 where none is to blame
 

@@ -32,8 +32,9 @@ double Profile::scale_of(const MessageInfo& message, const FieldInfo& field) con
   if (field.type == FieldType::bam) return bam_scale(field.width);
   if (scale_overrides_.empty()) return field.scale;
   const auto place =
-      std::ranges::lower_bound(scale_overrides_, std::pair{message.number, field.number}, {},
-                               [](const auto& entry) { return std::pair{entry.message, entry.field}; });
+      std::ranges::lower_bound(scale_overrides_, std::pair{message.number, field.number}, {}, [](const auto& entry) {
+        return std::pair{entry.message, entry.field};
+      });
   const auto overridden =
       place != scale_overrides_.end() && place->message == message.number && place->field == field.number;
   return overridden ? place->scale : field.scale;

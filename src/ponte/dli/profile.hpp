@@ -4,12 +4,16 @@
 #include "ponte/dli/properties.hpp"
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace ponte::dli {
 
 /// The IDD version that an edition puts into the Message Properties: 30 or 32.
 [[nodiscard]] constexpr std::uint8_t idd_version_of(Edition edition) { return edition == Edition::ed3 ? 30 : 32; }
+
+/// "3" or "A".
+[[nodiscard]] constexpr std::string_view name_of(Edition edition) { return edition == Edition::ed3 ? "3" : "A"; }
 
 /// How we speak to the peers of one network: an edition, and where they differ from our tables. The tables are not
 /// everywhere sure of the standard, so an integrator can override scales and widths per message.
@@ -20,11 +24,11 @@ class Profile {
 
   Edition edition{Edition::ed3};
   std::uint8_t idd_version{idd_version_of(Edition::ed3)};  ///< sent; a received message of another one is not dropped
-  Checksum checksum{Checksum::sum16};                      ///< sent, never `unassigned`; received messages say what they have
-  bool accept_unassigned_checksum{};  ///< checksum code 11: take the message, four bytes behind it remain unexamined
+  Checksum checksum{Checksum::sum16};  ///< sent, never `unassigned`; received messages say what they have
+  bool accept_unassigned_checksum{};   ///< checksum code 11: take the message, four bytes behind it remain unexamined
 
-  /// Physical value = raw * `scale` in this field. `scale` is finite and above 0. BAM, floats and texts have no scale to
-  /// override.
+  /// Physical value = raw * `scale` in this field. `scale` is finite and above 0. BAM, floats and texts have no scale
+  /// to override.
   void override_scale(MessageNumber message, std::uint8_t field, double scale);
 
   /// The presence vector of this message takes `bytes` bytes, 1 to 8. Fields that a narrower vector has no bit for are

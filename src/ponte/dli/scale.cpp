@@ -17,9 +17,9 @@ Result<Scaled, ScaleError> scaled_from(double value, double scale, IntegerRange 
 Result<std::int32_t, ScaleError> bam_from_radians(double radians, std::uint8_t width) {
   if (!std::isfinite(radians)) return fail(ScaleError::not_a_number);
   const auto half_turn = std::ldexp(1.0, 8 * width - 1);
-  const auto rounded = std::round(radians * std::numbers::inv_pi * half_turn);
-  const auto wrapped = std::remainder(rounded, 2 * half_turn);
-  return static_cast<std::int32_t>(wrapped == half_turn ? -half_turn : wrapped);
+  const auto half_turns = std::remainder(radians * std::numbers::inv_pi, 2.0);
+  const auto rounded = std::round(half_turns * half_turn);
+  return static_cast<std::int32_t>(rounded == half_turn ? -half_turn : rounded);
 }
 
 Result<Scaled, ScaleError> raw_from_value(const FieldInfo& field, double scale, double value) {

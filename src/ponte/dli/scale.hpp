@@ -31,8 +31,8 @@ struct Scaled {
 /// In [-pi, pi) for every raw value that fits the width.
 [[nodiscard]] constexpr double radians_from_bam(std::int32_t raw, std::uint8_t width) { return raw * bam_scale(width); }
 
-/// The raw value of an integer field for a physical value in the field's unit. `scale` is what `Profile::scale_of` says.
-/// A BAM wraps, any other integer saturates. To be asked of integer fields only.
+/// The raw value of an integer field for a physical value in the field's unit. `scale` is what `Profile::scale_of`
+/// says. A BAM wraps, any other integer saturates. To be asked of integer fields only.
 [[nodiscard]] Result<Scaled, ScaleError> raw_from_value(const FieldInfo& field, double scale, double value);
 
 }  // namespace ponte::dli

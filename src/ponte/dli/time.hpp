@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Time stamps of Edition 3 and Edition A (time): milliseconds of UTC since 2000-01-01T00:00:00Z in 40 bits, which begin
-/// again at 0 on 2034-11-03. A stamp tells when the data were captured or confirmed, not when they were sent.
+/// Time stamps of Edition 3 and Edition A (time): milliseconds of UTC since 2000-01-01T00:00:00Z in 40 bits, which
+/// begin again at 0 on 2034-11-03. A stamp tells when the data were captured or confirmed, not when they were sent.
 namespace ponte::dli {
 
 inline constexpr WallTime dli_epoch{std::chrono::sys_days{std::chrono::year{2000} / 1 / 1}};

@@ -39,9 +39,7 @@ struct WrapperView {
   Bytes data{};   ///< from the presence vector to the last field
   Bytes whole{};  ///< wrapper to checksum, for forwarding untouched
 
-  [[nodiscard]] constexpr Envelope envelope() const {
-    return {source, destination, properties.acknowledgement_wanted};
-  }
+  [[nodiscard]] constexpr Envelope envelope() const { return {source, destination, properties.acknowledgement_wanted}; }
 };
 
 /// Why bytes are not a message, or not a good one.
@@ -59,8 +57,9 @@ inline constexpr std::size_t wrapper_error_count = 6;
 /// A wrong IDD version is no error: compare `properties.idd_version`. Never fails with `stray_bytes`.
 [[nodiscard]] Result<WrapperView, WrapperError> parse_message(Bytes input, const Profile& profile);
 
-/// Bytes from the wrapper's first to the checksum's last, as the wrapper at the first byte of `input` claims them; 0 when
-/// the claim is not credible: no room for a wrapper, a length outside of the limits, or an end behind that of `input`.
+/// Bytes from the wrapper's first to the checksum's last, as the wrapper at the first byte of `input` claims them; 0
+/// when the claim is not credible: no room for a wrapper, a length outside of the limits, or an end behind that of
+/// `input`.
 [[nodiscard]] std::size_t claimed_size(Bytes input);
 
 /// The sum of all bytes. Its low 16 or all 32 bits are the checksum.

@@ -1,0 +1,38 @@
+#include "inspect/traffic.hpp"
+
+#include <fmt/format.h>
+
+namespace ponte::app {
+
+std::optional<double> MessageTally::rate() const {
+  if (!first || !last || *last <= *first) return std::nullopt;
+  return static_cast<double>(count - 1) / std::chrono::duration<double>(*last - *first).count();
+}
+
+std::string MessageTally::name(mavlink::MessageId id) const {
+  return message != nullptr ? std::string{message->name} : fmt::format("unknown:{}", id.value);
+}
+
+void Traffic::on_frame(std::size_t, std::optional<WallTime> time, const mavlink::FrameView& frame,
+                       const mavlink::MessageInfo* message) {
+  ++frames;
+  if (frame.is_signed()) ++signed_frames;
+  ++start_bytes[u8(frame.whole, 0)];
+  losses.on_frame(frame.system, frame.component, frame.sequence);
+  auto& tally = messages[{frame.system, frame.component, frame.message}];
+  tally.message = message;
+  ++tally.count;
+  if (!tally.first) tally.first = time;
+  tally.last = time;
+  const auto payload = message != nullptr ? readable_payload(frame, *message) : frame.payload;
+  tally.last_payload.assign(payload.begin(), payload.end());
+}
+
+void Traffic::on_damage(std::size_t offset, std::optional<WallTime>, Bytes bytes, std::string_view reason) {
+  auto& damage = damages[std::string{reason}];
+  ++damage.count;
+  damage.bytes += bytes.size();
+  if (first_damage.empty()) first_damage = fmt::format("offset {}: {}", offset, reason);
+}
+
+}  // namespace ponte::app

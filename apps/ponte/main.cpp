@@ -1,0 +1,45 @@
+#include "common/failure.hpp"
+#include "inspect/inspect.hpp"
+#include "translate/translate.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace {
+
+constexpr int done = 0;
+constexpr int job_failed = 1;
+constexpr int bad_usage = 2;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Lets MAVLink vehicles and STANAG 4586 ground stations work together", "ponte"};
+  app.set_version_flag("--version", PONTE_VERSION);
+  app.set_config("--config", "", "Read options from a TOML file, [translate] for those of translate");
+  app.require_subcommand(1);
+  ponte::app::add_inspect(app);
+  ponte::app::add_translate(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "ponte: {}\nTry: ponte --help\n", error.what());
+    return bad_usage;
+  } catch (const ponte::app::UsageError& error) {
+    fmt::print(stderr, "ponte: {}\n", error.what());
+    return bad_usage;
+  } catch (const ponte::app::Failure& failure) {
+    fmt::print(stderr, "{}\n", failure.what());
+    return job_failed;
+  }
+  if (std::fflush(stdout) != 0) {
+    fmt::print(stderr, "ponte: stdout cannot be written\n");
+    return job_failed;
+  }
+  return done;
+}

@@ -1,0 +1,222 @@
+#include "translate/translate.hpp"
+
+#include "common/capture.hpp"
+#include "common/failure.hpp"
+#include "common/json_line.hpp"
+#include "common/load_file.hpp"
+#include "ponte/core/json_text.hpp"
+#include "ponte/dli/datagram.hpp"
+#include "ponte/dli/json.hpp"
+#include "ponte/dli/messages/catalogue.hpp"
+#include "ponte/dli/pcap.hpp"
+#include "ponte/dli/profile_file.hpp"
+#include "ponte/mavlink/autopilots/dialect.hpp"
+#include "ponte/vsm/telemetry.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <memory>
+#include <set>
+
+namespace ponte::app {
+namespace {
+
+struct Options {
+  std::string file;
+  bool json{};
+  bool quiet{};
+  std::string pcap;
+  std::string edition{"3"};
+  std::string profile;
+  unsigned owning_id{20};
+};
+
+dli::Profile profile_from(const Options& options) {
+  if (options.profile.empty()) return dli::Profile{options.edition == "3" ? dli::Edition::ed3 : dli::Edition::ed_a};
+  const auto loaded = load_file(options.profile);
+  const std::string_view text{reinterpret_cast<const char*>(loaded.bytes.data()), loaded.bytes.size()};
+  auto profile = dli::parse_profile(text, dli::messages::catalogue);
+  if (!profile)
+    throw Failure{fmt::format("{}:{}: {}{}expected {}", options.profile, profile.error().line, profile.error().key,
+                              profile.error().key.empty() ? "" : ": ", profile.error().expectation)};
+  return *profile;
+}
+
+/// Where the DLI messages go: JSON lines, a capture, and the counts of the summary.
+class Output {
+ public:
+  Output(const Options& options, const dli::Profile& profile) : options_{options}, profile_{profile} {
+    if (!options.pcap.empty()) dli::append_pcap_header(pcap_);
+  }
+
+  void take(const vsm::OutgoingMessage& message) {
+    dli::DatagramReader reader{message.bytes(), profile_, counters_};
+    const auto view = reader.next();
+    PONTE_ASSERT(view && *view);
+    ++counts_[(*view)->number];
+    if (options_.json) {
+      const auto written = dli::append_json(json_, **view, dli::messages::catalogue, profile_, unix_ms(message.time));
+      PONTE_ASSERT(written.has_value());
+      print_line(json_);
+    }
+    if (!options_.pcap.empty()) {
+      constexpr dli::Ipv4Endpoint vsm{0x7F000001, 45860};
+      constexpr dli::Ipv4Endpoint group{0xEFFF2D56, 45860};  // 239.255.45.86
+      const auto kept = dli::append_datagram(
+          pcap_, {.time = message.time, .source = vsm, .destination = group, .payload = message.bytes()});
+      if (!kept) throw Failure{fmt::format("{}: a time before 1970 or after 2106 has no place in a pcap", options_.pcap)};
+    }
+  }
+
+  void finish() const {
+    if (!options_.pcap.empty()) save_file(options_.pcap, pcap_);
+  }
+
+  [[nodiscard]] const std::map<dli::MessageNumber, std::uint64_t>& counts() const { return counts_; }
+
+ private:
+  const Options& options_;
+  const dli::Profile& profile_;
+  dli::DatagramCounters counters_;
+  std::vector<std::byte> pcap_;
+  JsonText json_;
+  std::map<dli::MessageNumber, std::uint64_t> counts_;
+};
+
+/// Feeds a capture to the VSM's engine, with the time of the capture as the time.
+class Translator final : public CaptureSink {
+ public:
+  Translator(vsm::Telemetry& telemetry, Output& output) : telemetry_{telemetry}, output_{output} {}
+
+  void on_frame(std::size_t, std::optional<WallTime> time, const mavlink::FrameView& frame,
+                const mavlink::MessageInfo* message) override {
+    ++frames;
+    senders.emplace(frame.system, frame.component);
+    types.insert(frame.message);
+    if (message == nullptr) {
+      ++unknown[frame.message];
+      return;
+    }
+    advance(time);
+    telemetry_.on_frame(now_, wall_, frame, *message, outbox_);
+    drain();
+  }
+
+  void on_damage(std::size_t offset, std::optional<WallTime>, Bytes bytes, std::string_view reason) override {
+    damaged_bytes += bytes.size();
+    ++damages[std::string{reason}];
+    if (first_damage.empty()) first_damage = fmt::format("offset {}: {}", offset, reason);
+  }
+
+  void finish() {
+    telemetry_.finish(now_, wall_, outbox_);
+    drain();
+  }
+
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(now_ - Timestamp{}).count(); }
+
+  std::uint64_t frames{};
+  std::set<std::pair<mavlink::SystemId, mavlink::ComponentId>> senders;
+  std::set<mavlink::MessageId> types;
+  std::map<mavlink::MessageId, std::uint64_t> unknown;
+  std::map<std::string, std::uint64_t> damages;
+  std::size_t damaged_bytes{};
+  std::string first_damage;
+
+ private:
+  /// Calendar time of a recording may step back; the engine's time does not.
+  void advance(std::optional<WallTime> time) {
+    if (!time) return;
+    if (has_time_ && *time > wall_) now_ += *time - wall_;
+    wall_ = *time;
+    has_time_ = true;
+  }
+  void drain() {
+    outbox_.drain([&](const vsm::OutgoingMessage& message) { output_.take(message); });
+  }
+
+  static constexpr std::size_t messages_per_frame = 256;
+
+  vsm::Telemetry& telemetry_;
+  Output& output_;
+  Outbox<vsm::OutgoingMessage> outbox_{messages_per_frame};
+  Timestamp now_{};
+  WallTime wall_{};
+  bool has_time_{};
+};
+
+std::string summary(const Translator& translator, const Output& output, const vsm::Telemetry& telemetry) {
+  std::uint64_t translated = 0;
+  std::vector<std::string> numbers;
+  for (const auto& [number, count] : output.counts()) {
+    translated += count;
+    numbers.push_back(fmt::format("  #{:<5} {:<40} {}\n", number.value,
+                                  dli::messages::catalogue.find(number)->name, count));
+  }
+  std::vector<std::string> unknown;
+  for (const auto& [id, count] : translator.unknown) unknown.push_back(fmt::format("unknown:{} {}", id.value, count));
+  std::vector<std::string> damages;
+  for (const auto& [reason, count] : translator.damages) damages.push_back(fmt::format("{} {}", reason, count));
+  auto text = fmt::format("read        {} frames of {} message types from {} senders, {:.1f} s\n", translator.frames,
+                          translator.types.size(), translator.senders.size(), translator.seconds());
+  text += fmt::format("translated  {} DLI messages of {} vehicle(s)\n{}", translated, telemetry.vehicle_count(),
+                      fmt::join(numbers, ""));
+  text += fmt::format("unknown     {}\n", unknown.empty() ? "none" : fmt::format("{}", fmt::join(unknown, ", ")));
+  text += translator.damages.empty()
+              ? "damaged     nothing\n"
+              : fmt::format("damaged     {} bytes ({})\n", translator.damaged_bytes, fmt::join(damages, ", "));
+  return text;
+}
+
+void run(const Options& options) {
+  if (options.owning_id > 254) throw UsageError{"--owning-id: expected 0 to 254; 255 is reserved"};
+  const auto profile = profile_from(options);
+  const auto file = load_file(options.file);
+  if (file.bytes.empty())
+    throw Failure{fmt::format("{}: {}", options.file, file.damage.empty() ? "the file is empty" : file.damage)};
+
+  vsm::TelemetryConfig config;
+  config.profile = profile;
+  config.vsm = dli::EntityId{static_cast<std::uint8_t>(options.owning_id), dli::EntityType::vsm, 1};
+  vsm::Telemetry telemetry{config};
+  Output output{options, profile};
+  Translator translator{telemetry, output};
+  read_capture(file.bytes, mavlink::autopilots::dialect, translator);
+
+  if (translator.frames == 0)
+    throw Failure{fmt::format("{}: no MAVLink frame in {} bytes; {}", options.file, file.bytes.size(),
+                              file.damage.empty() ? translator.first_damage : file.damage)};
+  translator.finish();
+  output.finish();
+  if (!translator.first_damage.empty())
+    fmt::print(stderr, "{}: damaged at {}, {} bytes in all were left out\n", options.file, translator.first_damage,
+               translator.damaged_bytes);
+  if (!file.damage.empty()) fmt::print(stderr, "{}: damaged at {}\n", options.file, file.damage);
+  if (!options.quiet) fmt::print(options.json ? stderr : stdout, "{}", summary(translator, output, telemetry));
+}
+
+}  // namespace
+
+void add_translate(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("translate", "Turn a recording of MAVLink into STANAG 4586 messages");
+  command->add_option("FILE", options->file, "A .tlog, a text of \"microseconds hex\" lines or raw bytes; also gzipped")
+      ->required();
+  command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
+  command->add_option("--pcap", options->pcap, "Write the DLI datagrams to a capture for Wireshark");
+  auto* edition = command->add_option("--edition", options->edition, "Edition of the standard")
+                      ->check(CLI::IsMember({"3", "A"}))
+                      ->capture_default_str();
+  command->add_option("--profile", options->profile, "TOML file: edition, checksum, scales that differ")
+      ->excludes(edition);
+  command->add_option("--owning-id", options->owning_id, "Owning code of the ids, e.g. 20 Portugal")
+      ->capture_default_str();
+  command->add_flag("--quiet", options->quiet, "No summary");
+  command->footer("Example:\n  ponte translate tests/recordings/ap_mission_v2_trimmed.tlog.gz --json");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ponte::app

@@ -1,0 +1,41 @@
+// A dialect that a user adds, or a definition file with a slip of the pen: the readers refuse it with a
+// DefinitionError and nothing else, and what they accept can be emitted. The first byte chooses the reader, the second
+// whether the package's descriptions are emitted.
+#include "codegen/dli_reader.hpp"
+#include "codegen/emit.hpp"
+#include "codegen/mavlink_reader.hpp"
+
+#include <cstdlib>
+
+namespace {
+
+using namespace ponte::codegen;
+
+void read_and_emit_dli(std::string_view text) {
+  const auto protocol = read_dli_text(text, "fuzz.toml");
+  if (emit_dli(protocol).empty() || emit_dli_reference(protocol).empty()) std::abort();
+}
+
+void read_and_emit_mavlink(std::string_view text, bool descriptions) {
+  const auto protocol = read_mavlink_text(text, "fuzz.xml");
+  for (const auto& message : protocol.messages)
+    if (message.full_length > 255 || message.base_length > message.full_length) std::abort();
+  // One header per message and five files more: no message has replaced another file.
+  if (emit_mavlink(protocol, descriptions).size() != protocol.messages.size() + 5) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  const std::string_view text{reinterpret_cast<const char*>(data) + 2, size - 2};
+  try {
+    if (data[0] % 2 == 0)
+      read_and_emit_dli(text);
+    else
+      read_and_emit_mavlink(text, data[1] % 2 == 0);
+  } catch (const DefinitionError&) {
+    // the expected answer to nearly every input
+  }
+  return 0;
+}

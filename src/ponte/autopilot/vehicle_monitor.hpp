@@ -1,0 +1,74 @@
+#pragma once
+
+#include "ponte/autopilot/life_cycle.hpp"
+#include "ponte/autopilot/mapping.hpp"
+#include "ponte/autopilot/mission_copy.hpp"
+#include "ponte/autopilot/sample_time.hpp"
+#include "ponte/autopilot/status_text.hpp"
+#include "ponte/core/outbox.hpp"
+#include "ponte/mavlink/frame.hpp"
+#include "ponte/vehicle/state.hpp"
+
+#include <optional>
+#include <span>
+
+namespace ponte::autopilot {
+
+/// Silence after which a vehicle's HEARTBEAT is missed, and after which it counts as lost.
+inline constexpr std::chrono::seconds heartbeat_warning{3};
+inline constexpr std::chrono::seconds heartbeat_loss{10};
+
+/// Learns what one vehicle says: keeps its `vehicle::State` and tells its alerts. Listens only, sends nothing.
+class VehicleMonitor {
+ public:
+  /// A message of the vehicle's autopilot, `received` at that calendar time.
+  void on_message(Timestamp now, WallTime received, const mavlink::FrameView& frame, Outbox<vehicle::Alert>& alerts);
+  /// A message that a ground station sent to the vehicle.
+  void on_station_message(const mavlink::FrameView& frame) { mission_.on_station_message(frame); }
+
+  void on_tick(Timestamp now, WallTime received, Outbox<vehicle::Alert>& alerts);
+  /// When `on_tick` next has something to do; nothing while no time-out runs.
+  [[nodiscard]] std::optional<Timestamp> next_deadline() const;
+  /// Tells what waits for more, e.g. at the end of a recording.
+  void finish(Outbox<vehicle::Alert>& alerts);
+
+  [[nodiscard]] const vehicle::State& state() const { return state_; }
+
+ private:
+  enum class Link : std::uint8_t { never_heard, alive, missed, lost };
+
+  void on_heartbeat(Timestamp now, WallTime received, const mavlink::FrameView& frame,
+                    Outbox<vehicle::Alert>& alerts);
+  void on_autopilot_version(WallTime received, const mavlink::FrameView& frame);
+  void on_sys_status(WallTime received, const mavlink::FrameView& frame);
+  void update_mode(WallTime received);
+  void update_phase(WallTime received);
+  void update_leg(WallTime received);
+  void update_subsystems(WallTime received);
+
+  template <class T>
+  void learn(vehicle::Fact<T>& fact, const T& value, WallTime at) {
+    if (!fact || fact.value() != value) fact.learn(value, at, state_.revision);
+  }
+
+  vehicle::State state_;
+  SampleClock clock_;
+  MissionCopy mission_;
+  StatusTextAssembler texts_;
+  LifeCycleSigns signs_;
+  std::uint32_t custom_mode_{};
+  Link link_{Link::never_heard};
+  Timestamp last_heartbeat_{};
+  struct Sensors {
+    std::uint32_t present{};
+    std::uint32_t enabled{};
+    std::uint32_t healthy{};
+    friend bool operator==(const Sensors&, const Sensors&) = default;
+  };
+  std::optional<Sensors> sensors_;
+};
+
+/// Every row of the mapping tables in words, for documentation and tests.
+[[nodiscard]] std::span<const RowText> telemetry_row_texts();
+
+}  // namespace ponte::autopilot

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "ponte/core/bytes.hpp"
+#include "ponte/core/result.hpp"
+#include "ponte/core/text.hpp"
+#include "ponte/mavlink/frame.hpp"
+#include "ponte/mavlink/message_info.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+/// Generated message structs to payload bytes and back. Offsets are constants of the type, so that both directions
+/// become plain loads and stores.
+namespace ponte::mavlink {
+namespace detail {
+
+template <WireNumber T>
+void load_field(const std::byte* at, T& value) {
+  value = load_le<T>(at);
+}
+
+template <std::size_t Size>
+void load_field(const std::byte* at, Text<Size>& value) {
+  std::memcpy(value.chars().data(), at, Size);
+}
+
+template <WireNumber T, std::size_t Size>
+void load_field(const std::byte* at, std::array<T, Size>& value) {
+  std::memcpy(value.data(), at, sizeof value);
+}
+
+template <WireNumber T>
+void store_field(std::byte* at, T value) {
+  store_le(at, value);
+}
+
+template <std::size_t Size>
+void store_field(std::byte* at, const Text<Size>& value) {
+  std::memcpy(at, value.chars().data(), Size);
+}
+
+template <WireNumber T, std::size_t Size>
+void store_field(std::byte* at, const std::array<T, Size>& value) {
+  std::memcpy(at, value.data(), sizeof value);
+}
+
+template <Message M>
+M load_fields(const std::byte* payload) {
+  M message;
+  M::visit(message, [payload](const FieldInfo& field, auto& value) { load_field(payload + field.offset, value); });
+  return message;
+}
+
+}  // namespace detail
+
+/// The message in a MAVLink 2 payload. Bytes that the sender left out are zeros; bytes beyond the fields that we know
+/// are extensions of a newer definition and are not read.
+template <Message M>
+[[nodiscard]] M decode(Bytes payload) {
+  constexpr std::size_t length = M::info.full_length;
+  if (payload.size() >= length) return detail::load_fields<M>(payload.data());
+  std::array<std::byte, length> extended{};
+  std::copy(payload.begin(), payload.end(), extended.begin());
+  return detail::load_fields<M>(extended.data());
+}
+
+/// The message in a frame, which the caller knows to be an `M`. In MAVLink 1 the extension fields are zero.
+template <Message M>
+[[nodiscard]] M decode(const FrameView& frame) {
+  return decode<M>(readable_payload(frame, M::info));
+}
+
+/// Writes `message` as an unsigned frame to the beginning of `out`, which has room for `max_frame_size` bytes, and
+/// returns the size of the frame. MAVLink 1 does not carry the extension fields.
+template <Message M>
+[[nodiscard]] Result<std::size_t, WriteError> encode(const M& message, const FrameHeader& header, MutableBytes out) {
+  std::byte* const payload = out.subspan(header_size(header.version), M::info.full_length).data();
+  M::visit(message, [payload](const FieldInfo& field, const auto& value) {
+    detail::store_field(payload + field.offset, value);
+  });
+  return seal_frame(header, M::info, out);
+}
+
+}  // namespace ponte::mavlink

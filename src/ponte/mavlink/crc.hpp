@@ -1,0 +1,19 @@
+#pragma once
+
+#include "ponte/core/bytes.hpp"
+
+#include <cstdint>
+
+namespace ponte::mavlink {
+
+/// What a MAVLink checksum is before its first byte.
+inline constexpr std::uint16_t crc_initial = 0xFFFF;
+
+/// CRC-16/MCRF4XX (reflected polynomial 0x8408, no final inversion), which MAVLink calls X.25. To go on where an
+/// earlier call stopped, pass its result as `before`.
+[[nodiscard]] std::uint16_t crc_of(Bytes bytes, std::uint16_t before = crc_initial);
+
+/// The same for one more byte, such as the crc_extra of a message.
+[[nodiscard]] std::uint16_t crc_of(std::uint8_t byte, std::uint16_t before);
+
+}  // namespace ponte::mavlink

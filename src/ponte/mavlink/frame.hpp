@@ -1,0 +1,86 @@
+#pragma once
+
+#include "ponte/core/bytes.hpp"
+#include "ponte/core/result.hpp"
+#include "ponte/mavlink/message_info.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+/// MAVLink 1 and 2 frames: where they begin and end, and what is in their header.
+namespace ponte::mavlink {
+
+enum class Version : std::uint8_t { v1 = 1, v2 = 2 };
+
+inline constexpr std::byte start_v1{0xFE};
+inline constexpr std::byte start_v2{0xFD};
+inline constexpr std::size_t signature_size = 13;  ///< link id, 48-bit time stamp, 6 bytes of hash
+inline constexpr std::size_t max_payload_size = 255;
+inline constexpr std::size_t max_frame_size = 280;  ///< a signed MAVLink 2 frame with the longest payload
+
+/// Bytes before the payload, start byte included.
+[[nodiscard]] constexpr std::size_t header_size(Version version) { return version == Version::v1 ? 6 : 10; }
+
+/// One frame, still inside the buffer it arrived in. The view owns nothing: it is valid only as long as that buffer is.
+struct FrameView {
+  Version version{};
+  std::uint8_t incompatibility_flags{};  ///< 0 in MAVLink 1
+  std::uint8_t compatibility_flags{};    ///< 0 in MAVLink 1
+  std::uint8_t sequence{};
+  SystemId system{};
+  ComponentId component{};
+  MessageId message{};
+  Bytes payload{};  ///< as sent: trailing zero bytes may be missing
+  Bytes whole{};    ///< start byte to signature, for forwarding untouched
+
+  [[nodiscard]] bool is_signed() const { return (incompatibility_flags & 0x01U) != 0; }
+  /// The `signature_size` bytes behind the checksum; empty if the frame is not signed.
+  [[nodiscard]] Bytes signature() const { return is_signed() ? whole.last(signature_size) : Bytes{}; }
+  /// As sent, whether it is right or not.
+  [[nodiscard]] std::uint16_t checksum() const { return u16_le(whole, header_size(version) + payload.size()); }
+};
+
+enum class FrameError {
+  incomplete,    ///< more bytes are needed to tell, or to have all of the frame
+  not_a_frame,   ///< the first byte begins no frame
+  unknown_flag,  ///< MAVLink 2 obliges us to discard frames with incompatibility flags that we do not understand
+};
+
+/// Reads the frame that begins at the first byte of `input`; what follows it does not matter. After any error but
+/// `incomplete`: drop one byte and look again. The checksum is not examined here, since it needs the dialect.
+[[nodiscard]] Result<FrameView, FrameError> parse_frame(Bytes input);
+
+/// Whether the checksum is right for a message with this crc_extra.
+[[nodiscard]] bool checksum_matches(const FrameView& frame, std::uint8_t crc_extra);
+
+/// The part of the payload that the fields of `message` may be read from. In MAVLink 1 that ends with the base fields,
+/// as extensions do not exist there. It may be shorter than the fields: missing bytes are zeros.
+[[nodiscard]] Bytes readable_payload(const FrameView& frame, const MessageInfo& message);
+
+/// Position of the first byte that can begin a frame, or the size of `bytes`.
+[[nodiscard]] std::size_t find_start(Bytes bytes);
+
+/// What the sender decides about a frame besides its payload.
+struct FrameHeader {
+  Version version{Version::v2};
+  SystemId system{};
+  ComponentId component{};
+  std::uint8_t sequence{};
+};
+
+enum class WriteError {
+  needs_version_2,  ///< the message id does not fit the 8 bits of MAVLink 1
+};
+
+/// Writes an unsigned frame to the beginning of `out` and returns its size in bytes. `payload` has the full length of
+/// the message; MAVLink 2 leaves out its trailing zeros, but for one byte, and MAVLink 1 leaves out the extensions.
+/// `out` has room for `max_frame_size` bytes.
+[[nodiscard]] Result<std::size_t, WriteError> write_frame(const FrameHeader& header, const MessageInfo& message,
+                                                          Bytes payload, MutableBytes out);
+
+/// The second half of `write_frame`, for a payload of full length that is in its place already, `header_size` bytes
+/// behind the beginning of `out`: adds what is around it.
+[[nodiscard]] Result<std::size_t, WriteError> seal_frame(const FrameHeader& header, const MessageInfo& message,
+                                                         MutableBytes out);
+
+}  // namespace ponte::mavlink

@@ -1,0 +1,271 @@
+#include "ponte/vsm/telemetry.hpp"
+
+#include "ponte/dli/codec.hpp"
+#include "ponte/dli/datagram.hpp"
+#include "ponte/dlisession/status_messages.hpp"
+#include "ponte/mavlink/autopilots/attitude.hpp"
+#include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/mavlink/autopilots/global_position_int.hpp"
+#include "ponte/mavlink/autopilots/heartbeat.hpp"
+#include "ponte/mavlink/autopilots/highres_imu.hpp"
+#include "ponte/mavlink/autopilots/scaled_imu.hpp"
+#include "ponte/mavlink/autopilots/vfr_hud.hpp"
+#include "ponte/mavlink/codec.hpp"
+
+#include <algorithm>
+
+namespace ponte::vsm {
+namespace {
+
+namespace from = mavlink::autopilots;
+namespace to = dli::messages;
+using vehicle::Revision;
+using vehicle::State;
+
+constexpr std::size_t alerts_at_once = 16;
+constexpr mavlink::ComponentId usual_autopilot{1};
+
+template <mavlink::Message M>
+bool is(const mavlink::FrameView& frame) {
+  return frame.message == M::info.id;
+}
+
+/// The `target_system` of a message that has one.
+std::optional<mavlink::SystemId> target_of(const mavlink::FrameView& frame, const mavlink::MessageInfo& message) {
+  const auto field = std::ranges::find(message.fields, std::string_view{"target_system"}, &mavlink::FieldInfo::name);
+  if (field == message.fields.end()) return std::nullopt;
+  return mavlink::SystemId{field->offset < frame.payload.size() ? u8(frame.payload, field->offset) : std::uint8_t{0}};
+}
+
+}  // namespace
+
+/// One vehicle, and what has been said of it.
+struct Telemetry::Vehicle {
+  Vehicle(mavlink::SystemId id, const TelemetryConfig& config) : system{id}, description{config.description} {
+    description.vsm = config.vsm;
+    description.vehicle = dli::EntityId{config.vsm.owning_code(), dli::EntityType::vehicle, id.value};
+  }
+
+  mavlink::SystemId system;
+  mavlink::ComponentId autopilot{usual_autopilot};
+  bool is_none{};  ///< its HEARTBEAT says that it is no autopilot: a ground station, a camera, ...
+  dlisession::VehicleDescription description;
+  autopilot::VehicleMonitor monitor;
+  Outbox<vehicle::Alert> alerts{alerts_at_once};
+  dlisession::AlertIds alert_ids;
+
+  // Up to which revision a message has told what is known.
+  Revision inertial_told{};
+  Revision air_told{};
+  Revision body_told{};
+  Revision operating_told{};
+  Revision leg_told{};
+  Revision mode_told{};
+  Revision identity_told{};
+  Revision phase_told{};
+  std::array<Revision, vehicle::subsystem_count> subsystem_told{};
+
+  // When the next message is due even if nothing calls for it; nothing: it has nothing to say yet.
+  std::optional<Timestamp> inertial_due{};
+  std::optional<Timestamp> air_due{};
+  std::optional<Timestamp> operating_due{};
+  std::optional<Timestamp> leg_due{};
+  std::optional<Timestamp> mode_due{};
+  std::optional<Timestamp> identity_due{};
+};
+
+Telemetry::Telemetry(TelemetryConfig config, TelemetryRates rates) : config_{std::move(config)}, rates_{rates} {
+  vehicles_.reserve(vehicle_limit);
+}
+Telemetry::~Telemetry() = default;
+Telemetry::Telemetry(Telemetry&&) noexcept = default;
+Telemetry& Telemetry::operator=(Telemetry&&) noexcept = default;
+
+template <class M>
+void Telemetry::send(dli::EntityId source, const M& message, WallTime wall, Outbox<OutgoingMessage>& out) {
+  OutgoingMessage outgoing{.time = wall, .size = 0, .buffer = {}};
+  dli::DatagramWriter writer{outgoing.buffer, config_.profile};
+  const auto written = dli::add_message(writer, {.source = source, .destination = dli::broadcast_id}, message);
+  PONTE_ASSERT(written.has_value());
+  outgoing.size = written->size();
+  out.push(outgoing);
+}
+
+template <class M>
+bool Telemetry::send_news(Vehicle& vehicle, Revision since, WallTime wall, Outbox<OutgoingMessage>& out) {
+  const dlisession::MappingContext context{config_.profile, vehicle.description};
+  const auto built = dlisession::status_message<M>(vehicle.monitor.state(), since, context);
+  if (built) send(vehicle.description.vehicle, built->message, wall, out);
+  return built.has_value();
+}
+
+Telemetry::Vehicle* Telemetry::vehicle_that_sent(const mavlink::FrameView& frame) {
+  const auto place = std::ranges::lower_bound(vehicles_, frame.system, {}, [](const auto& entry) { return entry->system; });
+  const bool is_known = place != vehicles_.end() && (*place)->system == frame.system;
+  std::optional<bool> says_autopilot;
+  if (is<from::Heartbeat>(frame))
+    says_autopilot = mavlink::decode<from::Heartbeat>(frame).autopilot != from::MAV_AUTOPILOT_INVALID;
+
+  if (!is_known) {
+    // A recording may begin with telemetry before the first HEARTBEAT; component 1 is the autopilot by convention.
+    const bool is_vehicle = says_autopilot.value_or(frame.component == usual_autopilot);
+    if (!is_vehicle || frame.system.value == 0 || vehicles_.size() == vehicle_limit) return nullptr;
+    auto vehicle = std::make_unique<Vehicle>(frame.system, config_);
+    vehicle->autopilot = frame.component;
+    return vehicles_.insert(place, std::move(vehicle))->get();
+  }
+  auto& vehicle = **place;
+  if (says_autopilot && *says_autopilot) {
+    if (vehicle.is_none || frame.component == usual_autopilot) vehicle.autopilot = frame.component;
+    vehicle.is_none = false;
+  } else if (says_autopilot && frame.component == vehicle.autopilot) {
+    vehicle.is_none = true;
+  }
+  return !vehicle.is_none && frame.component == vehicle.autopilot ? &vehicle : nullptr;
+}
+
+void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameView& frame,
+                         const mavlink::MessageInfo& message, Outbox<OutgoingMessage>& out) {
+  on_tick(now, received, out);
+  auto* sender = vehicle_that_sent(frame);
+  if (sender == nullptr) {
+    const auto target = target_of(frame, message);
+    for (const auto& vehicle : vehicles_)
+      if (target == vehicle->system) vehicle->monitor.on_station_message(frame);
+    return;
+  }
+  auto& vehicle = *sender;
+  const auto& state = vehicle.monitor.state();
+
+  // A position that no message has carried yet goes out before the next one replaces it.
+  if (is<from::GlobalPositionInt>(frame) && state.latitude.newer_than(vehicle.inertial_told)) {
+    send_news<to::InertialStates>(vehicle, vehicle.inertial_told, received, out);
+    vehicle.inertial_told = state.revision;
+  }
+  vehicle.monitor.on_message(now, received, frame, vehicle.alerts);
+
+  if (is<from::Attitude>(frame)) vehicle.inertial_due = now;
+  if (is<from::VfrHud>(frame)) vehicle.air_due = now;
+  if (is<from::HighresImu>(frame) || is<from::ScaledImu>(frame)) {
+    send_news<to::BodyRelativeSensedStates>(vehicle, vehicle.body_told, received, out);
+    vehicle.body_told = state.revision;
+  }
+  const auto wait_for = [&](std::optional<Timestamp>& due, Duration longest) {
+    if (!due) due = now + longest;
+  };
+  wait_for(vehicle.inertial_due, rates_.inertial_wait);
+  wait_for(vehicle.air_due, rates_.air_wait);
+  wait_for(vehicle.operating_due, Duration{});
+  wait_for(vehicle.leg_due, Duration{});
+  send_changes(vehicle, now, received, out);
+  send_due(vehicle, now, received, out);
+}
+
+/// What is told at once when it changes.
+void Telemetry::send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
+  const dlisession::MappingContext context{config_.profile, vehicle.description};
+  const auto& state = vehicle.monitor.state();
+  if (state.identity.newer_than(vehicle.identity_told) || state.mission_id.newer_than(vehicle.identity_told))
+    vehicle.identity_due = now;
+  if (state.mode.newer_than(vehicle.mode_told)) vehicle.mode_due = now;
+  if (state.phase.newer_than(vehicle.phase_told)) vehicle.operating_due = now;
+  if (state.leg.newer_than(vehicle.leg_told)) vehicle.leg_due = now;
+  for (std::size_t i = 0; i < state.subsystems.size(); ++i) {
+    const auto& condition = state.subsystems[i];
+    if (!condition.newer_than(vehicle.subsystem_told[i])) continue;
+    const dlisession::SubsystemReport report{static_cast<vehicle::Subsystem>(i), condition.value()};
+    send(vehicle.description.vehicle, dlisession::subsystem_message(report, condition.at(), context), wall, out);
+    vehicle.subsystem_told[i] = state.revision;
+  }
+  vehicle.alerts.drain([&](const vehicle::Alert& alert) {
+    const dlisession::AlertReport report{alert.severity, alert.subsystem, alert.text,
+                                         vehicle.alert_ids.id_for(alert.text.view())};
+    send(vehicle.description.vehicle, dlisession::alert_message(report, wall, context), wall, out);
+  });
+}
+
+/// What has waited long enough, or is due again.
+void Telemetry::send_due(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
+  const auto& state = vehicle.monitor.state();
+  const auto is_due = [&](const std::optional<Timestamp>& due) { return due && *due <= now; };
+  if (is_due(vehicle.identity_due)) {
+    send_news<to::VehicleId>(vehicle, 0, wall, out);
+    vehicle.identity_told = state.revision;
+    vehicle.identity_due = now + rates_.vehicle_id;
+  }
+  if (is_due(vehicle.mode_due)) {
+    send_news<to::VehicleOperatingModeReport>(vehicle, 0, wall, out);
+    vehicle.mode_told = state.revision;
+    vehicle.mode_due = now + rates_.operating_mode;
+  }
+  if (is_due(vehicle.operating_due)) {
+    send_news<to::VehicleOperatingStates>(vehicle, vehicle.operating_told, wall, out);
+    vehicle.operating_told = vehicle.phase_told = state.revision;
+    vehicle.operating_due = now + rates_.operating_states;
+  }
+  if (is_due(vehicle.inertial_due)) {
+    send_news<to::InertialStates>(vehicle, vehicle.inertial_told, wall, out);
+    vehicle.inertial_told = state.revision;
+    vehicle.inertial_due.reset();
+  }
+  if (is_due(vehicle.air_due)) {
+    send_news<to::AirAndGroundRelativeStates>(vehicle, vehicle.air_told, wall, out);
+    vehicle.air_told = state.revision;
+    vehicle.air_due.reset();
+  }
+  if (is_due(vehicle.leg_due)) {
+    send_news<to::FromToNextWaypointStates>(vehicle, vehicle.leg_told, wall, out);
+    vehicle.leg_told = state.revision;
+    vehicle.leg_due = now + rates_.leg;
+  }
+}
+
+void Telemetry::on_tick(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
+  if (!next_heartbeat_ || *next_heartbeat_ <= now) {
+    // The heartbeat proves the VSM, whatever the vehicles do.
+    send(config_.vsm, dlisession::heartbeat_message(wall), wall, out);
+    next_heartbeat_ = now + rates_.heartbeat;
+  }
+  for (const auto& vehicle : vehicles_) {
+    if (vehicle->is_none) continue;
+    vehicle->monitor.on_tick(now, wall, vehicle->alerts);
+    send_changes(*vehicle, now, wall, out);
+    send_due(*vehicle, now, wall, out);
+  }
+}
+
+std::optional<Timestamp> Telemetry::next_deadline() const {
+  auto deadline = next_heartbeat_;
+  const auto consider = [&](const std::optional<Timestamp>& time) {
+    if (time) deadline = deadline ? std::min(*deadline, *time) : *time;
+  };
+  for (const auto& vehicle : vehicles_) {
+    if (vehicle->is_none) continue;
+    for (const auto& due : {vehicle->inertial_due, vehicle->air_due, vehicle->operating_due, vehicle->leg_due,
+                            vehicle->mode_due, vehicle->identity_due, vehicle->monitor.next_deadline()})
+      consider(due);
+  }
+  return deadline;
+}
+
+void Telemetry::finish(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
+  for (const auto& vehicle : vehicles_) {
+    if (vehicle->is_none) continue;
+    vehicle->monitor.finish(vehicle->alerts);
+    vehicle->inertial_due = vehicle->air_due = vehicle->operating_due = vehicle->leg_due = now;
+    send_changes(*vehicle, now, wall, out);
+    send_due(*vehicle, now, wall, out);
+  }
+}
+
+std::size_t Telemetry::vehicle_count() const {
+  return static_cast<std::size_t>(std::ranges::count_if(vehicles_, [](const auto& vehicle) { return !vehicle->is_none; }));
+}
+
+const vehicle::State* Telemetry::state_of(mavlink::SystemId system) const {
+  for (const auto& vehicle : vehicles_)
+    if (vehicle->system == system && !vehicle->is_none) return &vehicle->monitor.state();
+  return nullptr;
+}
+
+}  // namespace ponte::vsm

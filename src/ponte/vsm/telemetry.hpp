@@ -1,0 +1,93 @@
+#pragma once
+
+#include "ponte/autopilot/vehicle_monitor.hpp"
+#include "ponte/core/outbox.hpp"
+#include "ponte/dli/entity_id.hpp"
+#include "ponte/dli/profile.hpp"
+#include "ponte/dli/wrapper.hpp"
+#include "ponte/dlisession/alert_ids.hpp"
+#include "ponte/dlisession/mapping.hpp"
+#include "ponte/mavlink/frame.hpp"
+#include "ponte/mavlink/message_info.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// The half of a VSM that talks: MAVLink vehicles in, DLI status messages out.
+namespace ponte::vsm {
+
+struct TelemetryConfig {
+  dli::Profile profile{};
+  dli::EntityId vsm{20, dli::EntityType::vsm, 1};
+  /// What is told of every vehicle, but for its id: that is the owning code of the VSM, type "vehicle", and the MAVLink
+  /// system id.
+  dlisession::VehicleDescription description{};
+};
+
+/// One encoded message, ready to be sent as a datagram of its own.
+struct OutgoingMessage {
+  WallTime time{};
+  std::size_t size{};
+  std::array<std::byte, dli::datagram_size_max> buffer{};
+
+  [[nodiscard]] Bytes bytes() const { return Bytes{buffer}.first(size); }
+};
+
+/// How often what is sent, beside "on change" (procedures, section 7).
+struct TelemetryRates {
+  Duration inertial_wait = std::chrono::milliseconds{100};  ///< longest that a position waits for the next attitude
+  Duration air_wait = std::chrono::milliseconds{200};       ///< longest that air data wait for the next VFR_HUD
+  Duration operating_states = std::chrono::seconds{1};
+  Duration operating_mode = std::chrono::seconds{2};
+  Duration leg = std::chrono::seconds{1};
+  Duration vehicle_id = std::chrono::seconds{5};
+  Duration heartbeat = std::chrono::seconds{1};
+};
+
+/// Turns what MAVLink vehicles say into DLI status messages: one #4000 for every ATTITUDE, one #3009 for every VFR_HUD,
+/// one #3010 for every inertial sample, the others on change and at the rates above. A message carries what was learnt
+/// since the last one of its kind. Knows no clock and no socket.
+class Telemetry {
+ public:
+  static constexpr std::size_t vehicle_limit = 250;
+
+  explicit Telemetry(TelemetryConfig config, TelemetryRates rates = {});
+  ~Telemetry();
+  Telemetry(Telemetry&&) noexcept;
+  Telemetry& operator=(Telemetry&&) noexcept;
+
+  /// A good frame of a known message from any sender on the links: vehicles are told apart by system id, ground stations
+  /// are listened to for the missions that they upload.
+  void on_frame(Timestamp now, WallTime received, const mavlink::FrameView& frame, const mavlink::MessageInfo& message,
+                Outbox<OutgoingMessage>& out);
+  void on_tick(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
+  /// When `on_tick` next has something to do.
+  [[nodiscard]] std::optional<Timestamp> next_deadline() const;
+  /// Sends what waits for more, e.g. at the end of a recording.
+  void finish(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
+
+  [[nodiscard]] std::size_t vehicle_count() const;
+  /// What is known of a vehicle; nothing for a system that is none.
+  [[nodiscard]] const vehicle::State* state_of(mavlink::SystemId system) const;
+
+ private:
+  struct Vehicle;
+
+  Vehicle* vehicle_that_sent(const mavlink::FrameView& frame);
+  void send_due(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
+  void send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
+  template <class M>
+  bool send_news(Vehicle& vehicle, vehicle::Revision since, WallTime wall, Outbox<OutgoingMessage>& out);
+  template <class M>
+  void send(dli::EntityId source, const M& message, WallTime wall, Outbox<OutgoingMessage>& out);
+
+  TelemetryConfig config_;
+  TelemetryRates rates_;
+  std::vector<std::unique_ptr<Vehicle>> vehicles_;  ///< by system id, ascending
+  std::optional<Timestamp> next_heartbeat_;
+};
+
+}  // namespace ponte::vsm
