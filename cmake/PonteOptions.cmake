@@ -1,6 +1,7 @@
 # What every target of ponte is compiled with, and the switches a builder has.
 
 option(PONTE_TESTS "Build the unit tests and the tools of the integration tests" ON)
+option(PONTE_BENCH "Build the benchmarks" OFF)
 option(PONTE_FUZZ "Build the fuzz targets (clang only)" OFF)
 option(PONTE_WERROR "Treat warnings as errors" OFF)
 set(PONTE_SANITIZE "" CACHE STRING "Value for -fsanitize=, empty for none")

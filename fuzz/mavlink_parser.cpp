@@ -1,10 +1,10 @@
 // The streaming parser over any bytes. The first input byte chooses whether checksums are repaired, the second the
 // sizes of the pieces in which the rest arrives.
 
-#include "repair_checksums.hpp"
 #include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/mavlink/parser.hpp"
+#include "repair_checksums.hpp"
 
 #include <algorithm>
 #include <cstddef>

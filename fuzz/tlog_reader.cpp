@@ -1,9 +1,9 @@
 // The reader of recordings over any bytes. The first input byte chooses whether checksums are repaired.
 
-#include "repair_checksums.hpp"
 #include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/mavlink/tlog.hpp"
+#include "repair_checksums.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -209,7 +209,10 @@ void answer_line(const std::string& line, JsonText& answer) {
   try {
     const auto request = Json::parse(line, nullptr, false);
     if (!request.is_object()) throw BadRequest{"not a JSON object"};
-    request.contains("frame") ? decode_request(request, answer) : encode_request(request, answer);
+    if (request.contains("frame"))
+      decode_request(request, answer);
+    else
+      encode_request(request, answer);
   } catch (const BadRequest& bad) {
     answer.clear();
     answer.begin_object().member("error", bad.what()).end_object();

@@ -14,7 +14,8 @@ namespace ponte::autopilot::rules {
 inline constexpr double standard_gravity = 9.80665;
 inline constexpr double gas_constant_of_dry_air = 287.05287;  ///< J/(kg K)
 inline constexpr double standard_sea_level_density = 1.225;   ///< kg/m^3
-/// Nearer to the vertical than about 3 degrees, roll and heading turn into each other and their rates grow without limit.
+/// Nearer to the vertical than about 3 degrees, roll and heading turn into each other: their rates grow without limit, and
+/// the rate of pitch, which needs the roll, loses its meaning too.
 inline constexpr double smallest_cosine_of_pitch = 0.05;
 /// An attitude older than this says nothing about an acceleration.
 inline constexpr std::chrono::milliseconds attitude_lifetime{500};
@@ -57,7 +58,9 @@ inline constexpr Rule euler_roll_rate{
     }};
 
 inline constexpr Rule euler_pitch_rate{
-    "q cos(roll) - r sin(roll)", [](float q, float r, float roll) -> std::optional<RadiansPerSecond> {
+    "q cos(roll) - r sin(roll); nothing near the vertical",
+    [](float q, float r, float roll, float pitch) -> std::optional<RadiansPerSecond> {
+      if (!(std::cos(double{pitch}) > smallest_cosine_of_pitch)) return std::nullopt;
       const double rate = double{q} * std::cos(double{roll}) - double{r} * std::sin(double{roll});
       if (!std::isfinite(rate)) return std::nullopt;
       return RadiansPerSecond{rate};

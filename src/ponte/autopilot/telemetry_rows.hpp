@@ -37,7 +37,7 @@ inline constexpr std::tuple attitude{
     row(&State::pitch,      rules::radians,          "mapping 1 #4000", &A::pitch),
     row(&State::heading,    rules::radians,          "mapping 1 #4000", &A::yaw),
     row(&State::roll_rate,  rules::euler_roll_rate,  "mapping 1 #4000", &A::rollspeed, &A::pitchspeed, &A::yawspeed, &A::roll, &A::pitch),
-    row(&State::pitch_rate, rules::euler_pitch_rate, "mapping 1 #4000", &A::pitchspeed, &A::yawspeed, &A::roll),
+    row(&State::pitch_rate, rules::euler_pitch_rate, "mapping 1 #4000", &A::pitchspeed, &A::yawspeed, &A::roll, &A::pitch),
     row(&State::turn_rate,  rules::euler_turn_rate,  "mapping 1 #4000", &A::pitchspeed, &A::yawspeed, &A::roll, &A::pitch),
 };
 

@@ -42,7 +42,8 @@ TEST(Encode, WritesTheGoldenFrames) {
   EXPECT_EQ(encoded(heartbeat, header_of(42)), bytes(testing::heartbeat_frame));
   EXPECT_EQ(encoded(heartbeat, header_of(42, Version::v1)), bytes(testing::heartbeat_v1_frame));
   EXPECT_EQ(encoded(attitude, header_of(7)), bytes(testing::attitude_frame));
-  EXPECT_EQ(encoded(Statustext{.severity = 6, .text = {"Init Gyro**"}}, header_of(8)), bytes(testing::statustext_frame));
+  EXPECT_EQ(encoded(Statustext{.severity = 6, .text = {"Init Gyro**"}}, header_of(8)),
+            bytes(testing::statustext_frame));
 }
 
 TEST(Encode, RefusesIdsThatVersion1CannotCarry) {
@@ -61,7 +62,8 @@ TEST(Decode, TakesMissingBytesForZeros) {
   const auto frame_bytes = bytes(testing::statustext_frame);
   const auto message = decode<Statustext>(*parse_frame(frame_bytes));
   EXPECT_EQ(message, (Statustext{.severity = 6, .text = {"Init Gyro**"}}));
-  EXPECT_EQ(decode<Attitude>(bytes("40 e2 01 00 cd cc")), (Attitude{.time_boot_ms = 123456, .roll = std::bit_cast<float>(0x0000'CCCDU)}));
+  EXPECT_EQ(decode<Attitude>(bytes("40 e2 01 00 cd cc")),
+            (Attitude{.time_boot_ms = 123456, .roll = std::bit_cast<float>(0x0000'CCCDU)}));
   EXPECT_EQ(decode<Attitude>(Bytes{}), Attitude{});
 }
 

@@ -32,8 +32,7 @@ std::vector<std::byte> full_payload(const Everything& message) {
 }
 
 TEST(ReadElement, ReadsWhatTheTypedStructHolds) {
-  const auto payload =
-      full_payload({.whole = -5, .fine = 0.1, .triple = {1, 65535, 3}, .tiny = -128, .letter = 'z'});
+  const auto payload = full_payload({.whole = -5, .fine = 0.1, .triple = {1, 65535, 3}, .tiny = -128, .letter = 'z'});
   EXPECT_EQ(read_element(whole, payload), FieldValue{std::int64_t{-5}});
   EXPECT_EQ(read_element(fine, payload), FieldValue{0.1});
   EXPECT_EQ(read_element(triple, payload, 1), FieldValue{std::uint64_t{65535}});
@@ -61,10 +60,9 @@ TEST(WriteElement, WritesWhatReadElementReads) {
   EXPECT_TRUE(write_element(triple, payload, 2, std::uint64_t{500}));
   EXPECT_TRUE(write_element(fine, payload, 0, 0.1));
   EXPECT_TRUE(write_element(tiny, payload, 0, -128.0));
-  EXPECT_EQ(decode<Everything>(payload), (Everything{.whole = std::numeric_limits<std::int64_t>::min(),
-                                                     .fine = 0.1,
-                                                     .triple = {0, 0, 500},
-                                                     .tiny = -128}));
+  EXPECT_EQ(decode<Everything>(payload),
+            (Everything{
+                .whole = std::numeric_limits<std::int64_t>::min(), .fine = 0.1, .triple = {0, 0, 500}, .tiny = -128}));
 }
 
 TEST(WriteElement, RefusesWhatTheFieldCannotHoldAndLeavesItAlone) {

@@ -20,10 +20,11 @@ std::string line(Bytes frame_bytes, const MessageInfo* message) {
 }
 
 TEST(AppendFrame, WritesTheLineOfTheDesign) {
-  EXPECT_EQ(line(bytes(testing::attitude_frame), &testing::Attitude::info),
-            R"({"time_us":1700000000000001,"id":30,"name":"ATTITUDE","version":2,"system":1,"component":1,"sequence":7,)"
-            R"("fields":{"time_boot_ms":123456,"roll":0.1,"pitch":-0.2,"yaw":3,"rollspeed":0.01,"pitchspeed":0.02,)"
-            R"("yawspeed":-0.03}})");
+  EXPECT_EQ(
+      line(bytes(testing::attitude_frame), &testing::Attitude::info),
+      R"({"time_us":1700000000000001,"id":30,"name":"ATTITUDE","version":2,"system":1,"component":1,"sequence":7,)"
+      R"("fields":{"time_boot_ms":123456,"roll":0.1,"pitch":-0.2,"yaw":3,"rollspeed":0.01,"pitchspeed":0.02,)"
+      R"("yawspeed":-0.03}})");
 }
 
 TEST(AppendFrame, ShowsThePayloadOfAnUnknownMessage) {
