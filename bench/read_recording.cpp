@@ -1,5 +1,5 @@
-// Times what a VSM does with the frames of a recording, in this process: finding and checking them, and turning them into
-// DLI bytes. Prints one JSON object per figure for bench/run.py, which measures the peer.
+// Times what a VSM does with the frames of a recording, in this process: finding and checking them, and turning them
+// into DLI bytes. Prints one JSON object per figure for bench/run.py, which measures the peer.
 
 #include "common/load_file.hpp"
 #include "ponte/core/json_text.hpp"
@@ -92,7 +92,9 @@ int main(int argc, char** argv) {
   const auto stream = stream_of(file.bytes);
   print("parse", parse_rate(stream), "frames/s");
   const auto times = translation_times(file.bytes);
-  const auto quantile = [&](double part) { return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))]; };
+  const auto quantile = [&](double part) {
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+  };
   print("translate p50", quantile(0.5), "ns");
   print("translate p99", quantile(0.99), "ns");
   return 0;

@@ -1,9 +1,11 @@
-// A dialect that a user adds, or a definition file with a slip of the pen: the readers refuse it with a
-// DefinitionError and nothing else, and what they accept can be emitted. The first byte chooses the reader, the second
-// whether the package's descriptions are emitted.
+// A dialect that a user adds, a definition file or a profile with a slip of the pen: the readers refuse it with an
+// error and nothing else, and what they accept can be emitted. The first byte chooses the reader, the second whether
+// the package's descriptions are emitted.
 #include "codegen/dli_reader.hpp"
 #include "codegen/emit.hpp"
 #include "codegen/mavlink_reader.hpp"
+#include "ponte/dli/messages/catalogue.hpp"
+#include "ponte/dli/profile_file.hpp"
 
 #include <cstdlib>
 
@@ -30,10 +32,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 2) return 0;
   const std::string_view text{reinterpret_cast<const char*>(data) + 2, size - 2};
   try {
-    if (data[0] % 2 == 0)
-      read_and_emit_dli(text);
-    else
-      read_and_emit_mavlink(text, data[1] % 2 == 0);
+    switch (data[0] % 3) {
+      case 0: read_and_emit_dli(text); break;
+      case 1: read_and_emit_mavlink(text, data[1] % 2 == 0); break;
+      default: (void)ponte::dli::parse_profile(text, ponte::dli::messages::catalogue);
+    }
   } catch (const DefinitionError&) {
     // the expected answer to nearly every input
   }

@@ -41,8 +41,9 @@ std::string text_to_dli() {
 }
 
 std::string text_from_mavlink() {
-  std::string text = "## What is known: MAVLink to vehicle\n\nRank 0 is the best source; a worse one is listened to when "
-                     "the better has been silent for two seconds.\n";
+  std::string text =
+      "## What is known: MAVLink to vehicle\n\nRank 0 is the best source; a worse one is listened to when "
+      "the better has been silent for two seconds.\n";
   std::string_view message;
   for (const auto& row : autopilot::telemetry_row_texts()) {
     if (row.message != message) {
@@ -50,8 +51,8 @@ std::string text_from_mavlink() {
       text += fmt::format("\n### {}\n\n| fact | from | rule | unit | rank | reference |\n|---|---|---|---|---|---|\n",
                           message);
     }
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.target, joined(row.sources), row.rule, row.unit, row.rank,
-                        row.reference);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.target, joined(row.sources), row.rule, row.unit,
+                        row.rank, row.reference);
   }
   return text + '\n';
 }
@@ -60,8 +61,9 @@ std::string text_of_modes() {
   constexpr std::array stacks{std::pair{autopilot::Stack::ardupilot_copter, "ArduCopter"},
                               std::pair{autopilot::Stack::ardupilot_plane, "ArduPlane"},
                               std::pair{autopilot::Stack::px4, "PX4"}};
-  std::string text = "## Modes\n\nHEARTBEAT.custom_mode. AUTO counts as landing while ArduPlane flies NAV_LAND, and as "
-                     "take-off while ArduCopter flies NAV_TAKEOFF.\n";
+  std::string text =
+      "## Modes\n\nHEARTBEAT.custom_mode. AUTO counts as landing while ArduPlane flies NAV_LAND, and as "
+      "take-off while ArduCopter flies NAV_TAKEOFF.\n";
   for (const auto& [stack, name] : stacks) {
     text += fmt::format("\n### {}\n\n| custom_mode | name | meaning |\n|---|---|---|\n", name);
     for (const auto& row : autopilot::modes_of(stack))
@@ -71,16 +73,18 @@ std::string text_of_modes() {
 }
 
 std::string text_of_health() {
-  std::string text = "## Subsystems\n\nBits of SYS_STATUS.onboard_control_sensors_*: fitted, enabled and unhealthy is the "
-                     "condition named.\n\n| bit | sensor | subsystem | unhealthy is |\n|---|---|---|---|\n";
+  std::string text =
+      "## Subsystems\n\nBits of SYS_STATUS.onboard_control_sensors_*: fitted, enabled and unhealthy is the "
+      "condition named.\n\n| bit | sensor | subsystem | unhealthy is |\n|---|---|---|---|\n";
   for (const auto& row : autopilot::sensor_rows())
     text += fmt::format("| {} | {} | {} | {}{} |\n", row.bit, row.name, vehicle::name_of(row.subsystem),
                         vehicle::name_of(row.when_unhealthy),
                         row.excused_by == autopilot::no_excuse
                             ? std::string{}
                             : fmt::format("; caution while bit {} is healthy", row.excused_by));
-  text += "\n## Words in STATUSTEXT\n\nThe first that stands in a text decides on its subsystem; without one it is vsm.\n\n"
-          "| word | subsystem |\n|---|---|\n";
+  text +=
+      "\n## Words in STATUSTEXT\n\nThe first that stands in a text decides on its subsystem; without one it is vsm.\n\n"
+      "| word | subsystem |\n|---|---|\n";
   for (const auto& row : autopilot::keyword_rows())
     text += fmt::format("| {} | {} |\n", row.keyword, vehicle::name_of(row.subsystem));
   return text;
@@ -89,9 +93,10 @@ std::string text_of_health() {
 }  // namespace
 
 int main() {
-  fmt::print("# MAVLink to STANAG 4586\n\nMade from the rows that the program runs: `src/ponte/autopilot/telemetry_rows.hpp` "
-             "and `src/ponte/dlisession/status_rows.hpp`. References are to the team's mapping facts. The mapping is our "
-             "proposal; units and scales are those of `dli-messages.md`.\n\n{}{}{}{}",
-             text_from_mavlink(), text_to_dli(), text_of_modes(), text_of_health());
+  fmt::print(
+      "# MAVLink to STANAG 4586\n\nMade from the rows that the program runs: `src/ponte/autopilot/telemetry_rows.hpp` "
+      "and `src/ponte/dlisession/status_rows.hpp`. References are to the team's mapping facts. The mapping is our "
+      "proposal; units and scales are those of `dli-messages.md`.\n\n{}{}{}{}",
+      text_from_mavlink(), text_to_dli(), text_of_modes(), text_of_health());
   return std::fflush(stdout) == 0 ? 0 : 1;
 }

@@ -2,8 +2,8 @@
 #include "inspect/inspect.hpp"
 #include "translate/translate.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <string>

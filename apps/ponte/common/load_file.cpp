@@ -68,7 +68,8 @@ LoadedFile unpack(std::vector<std::byte> packed) {
     if (status == Z_STREAM_END) {
       if (stream.avail_in == 0 && fed == packed.size()) return result;
       if (inflateReset(&stream) != Z_OK) break;  // another member follows
-    } else if (status == Z_BUF_ERROR || (status == Z_OK && stream.avail_in == 0 && fed == packed.size() && count == 0)) {
+    } else if (status == Z_BUF_ERROR ||
+               (status == Z_OK && stream.avail_in == 0 && fed == packed.size() && count == 0)) {
       damage("it ends too early");
       break;
     } else if (status != Z_OK) {

@@ -9,8 +9,8 @@
 #include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/mavlink/json.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -83,8 +83,8 @@ void run(const Options& options) {
     throw Failure{fmt::format("{}: {}", options.file, file.damage.empty() ? "the file is empty" : file.damage)};
   Traffic traffic;
   HexView hex{traffic, options.json};
-  const auto format = read_capture(file.bytes, mavlink::autopilots::dialect,
-                                   options.hex ? static_cast<CaptureSink&>(hex) : traffic);
+  const auto format =
+      read_capture(file.bytes, mavlink::autopilots::dialect, options.hex ? static_cast<CaptureSink&>(hex) : traffic);
   hex.finish();
   if (traffic.frames == 0)
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes; {}", options.file, file.bytes.size(),

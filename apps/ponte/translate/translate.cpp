@@ -13,9 +13,9 @@
 #include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/vsm/telemetry.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <map>
 #include <memory>
@@ -67,7 +67,8 @@ class Output {
       constexpr dli::Ipv4Endpoint group{0xEFFF2D56, 45860};  // 239.255.45.86
       const auto kept = dli::append_datagram(
           pcap_, {.time = message.time, .source = vsm, .destination = group, .payload = message.bytes()});
-      if (!kept) throw Failure{fmt::format("{}: a time before 1970 or after 2106 has no place in a pcap", options_.pcap)};
+      if (!kept)
+        throw Failure{fmt::format("{}: a time before 1970 or after 2106 has no place in a pcap", options_.pcap)};
     }
   }
 
@@ -153,8 +154,8 @@ std::string summary(const Translator& translator, const Output& output, const vs
   std::vector<std::string> numbers;
   for (const auto& [number, count] : output.counts()) {
     translated += count;
-    numbers.push_back(fmt::format("  #{:<5} {:<40} {}\n", number.value,
-                                  dli::messages::catalogue.find(number)->name, count));
+    numbers.push_back(
+        fmt::format("  #{:<5} {:<40} {}\n", number.value, dli::messages::catalogue.find(number)->name, count));
   }
   std::vector<std::string> unknown;
   for (const auto& [id, count] : translator.unknown) unknown.push_back(fmt::format("unknown:{} {}", id.value, count));

@@ -14,9 +14,11 @@ constexpr std::uint64_t largest_exact_integer = std::uint64_t{1} << 53U;
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
   const auto lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                                           : lead >= 0xF0 && lead < 0xF5   ? 4
-                                                                           : 0;
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
   if (length == 0 || length > text.size()) return 0;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
@@ -30,6 +32,15 @@ std::size_t utf8_length(std::string_view text) {
 template <class T>
 std::string_view special_name(T number) {
   return std::isnan(number) ? "NaN" : number > 0 ? "Infinity" : "-Infinity";
+}
+
+/// "-0" would be read back as the integer 0, which has no sign.
+template <class T>
+void append_finite(std::string& text, T number) {
+  if (number == 0 && std::signbit(number))
+    text += "-0.0";
+  else
+    fmt::format_to(std::back_inserter(text), "{}", number);
 }
 
 }  // namespace
@@ -103,14 +114,14 @@ JsonText& JsonText::value(bool truth) {
 JsonText& JsonText::value(double number) {
   if (!std::isfinite(number)) return value(special_name(number));
   separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
+  append_finite(text_, number);
   return *this;
 }
 
 JsonText& JsonText::value(float number) {
   if (!std::isfinite(number)) return value(special_name(number));
   separate();
-  fmt::format_to(std::back_inserter(text_), "{}", number);
+  append_finite(text_, number);
   return *this;
 }
 

@@ -28,6 +28,12 @@ TEST(JsonText, KeepsEveryNumberExactly) {
             R"(9007199254740991])");
 }
 
+TEST(JsonText, KeepsTheSignOfZero) {
+  JsonText json;
+  json.begin_array().value(-0.0).value(-0.0F).value(0.0).end_array();
+  EXPECT_EQ(json.text(), "[-0.0,-0.0,0]");
+}
+
 TEST(JsonText, EscapesWhatIsNotPrintableUtf8) {
   JsonText json;
   json.value(std::string_view{"\"\\\n\xC3\xA3\xFFz\xED\xA0\x80"});

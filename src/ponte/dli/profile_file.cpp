@@ -127,9 +127,20 @@ class ProfileFileReader {
   Profile profile_;
 };
 
+/// The TOML reader calls itself for every dot of a key, so a line without end would take the stack with it.
+void refuse_endless_lines(std::string_view text) {
+  constexpr std::size_t longest_line = 4000;
+  for (std::uint32_t line = 1; !text.empty(); ++line) {
+    const auto end = std::min(text.find('\n'), text.size());
+    if (end > longest_line) throw ProfileFileError{line, "", "lines of at most 4000 characters"};
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
 }  // namespace
 
 Result<Profile, ProfileFileError> parse_profile(std::string_view text, const Catalogue& catalogue) try {
+  refuse_endless_lines(text);
   return ProfileFileReader{catalogue}.read(toml::parse(text));
 } catch (const toml::parse_error& error) {
   return fail(ProfileFileError{error.source().begin.line, "", "TOML, but: " + std::string{error.description()}});

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <string>
 
 namespace ponte::dli {
 namespace {
@@ -95,6 +96,13 @@ TEST(ProfileFile, TellsWhatIsWrongAndWhere) {
     EXPECT_EQ(profile.error().key, file.error.key) << file.text;
     EXPECT_EQ(profile.error().expectation, file.error.expectation) << file.text;
   }
+}
+
+// toml++ overflowed the stack on a key of a million dots.
+TEST(ProfileFile, RefusesALineWithoutEnd) {
+  std::string text = "checksum = 2\n";
+  for (int i = 0; i < 1'000'000; ++i) text += "a.";
+  EXPECT_EQ(parse(text).error(), (ProfileFileError{2, "", "lines of at most 4000 characters"}));
 }
 
 TEST(ProfileFile, TellsWhereATextIsNotToml) {

@@ -24,9 +24,9 @@ namespace ponte::dlisession {
 struct VehicleDescription {
   dli::EntityId vsm;
   dli::EntityId vehicle;
-  std::uint16_t vehicle_type{};                   ///< of the standard's table; 0: not identified
+  std::uint16_t vehicle_type{};                    ///< of the standard's table; 0: not identified
   std::optional<std::uint16_t> vehicle_subtype{};  ///< nothing: the autopilot's MAV_TYPE
-  Text<15> tail_number{};                         ///< empty: the autopilot's serial number
+  Text<15> tail_number{};                          ///< empty: the autopilot's serial number
   Text<31> call_sign{};
 };
 
@@ -36,7 +36,8 @@ struct MappingContext {
 };
 
 /// How facts become a field, in words and in code. The function takes the facts' values, with a `MappingContext` before
-/// them if it wants one, and returns nothing where the field has to be absent. A quantity is scaled as the profile says.
+/// them if it wants one, and returns nothing where the field has to be absent. A quantity is scaled as the profile
+/// says.
 template <class F>
 struct Rule {
   std::string_view text;
@@ -132,7 +133,8 @@ struct Built {
 };
 
 /// The message with every field that a row of `table` can tell and that is news since `since` (0: everything), its time
-/// stamp set. Nothing when there is no news. `at` is the earliest that the time stamp can be: for sources without times.
+/// stamp set. Nothing when there is no news. `at` is the earliest that the time stamp can be: for sources without
+/// times.
 template <class M, class Table, class Source>
 [[nodiscard]] std::optional<Built<M>> build(const Table& table, const Source& source, vehicle::Revision since,
                                             WallTime at, const MappingContext& context) {

@@ -24,7 +24,8 @@ struct SubsystemReport {
 template <class T>
 [[nodiscard]] constexpr std::string_view name_of_source(T AlertReport::*member) {
   if constexpr (std::is_same_v<T, vehicle::Condition>) return member == &AlertReport::severity ? "alert severity" : "";
-  if constexpr (std::is_same_v<T, vehicle::Subsystem>) return member == &AlertReport::subsystem ? "alert subsystem" : "";
+  if constexpr (std::is_same_v<T, vehicle::Subsystem>)
+    return member == &AlertReport::subsystem ? "alert subsystem" : "";
   if constexpr (std::is_same_v<T, Text<79>>) return member == &AlertReport::text ? "alert text" : "";
   if constexpr (std::is_same_v<T, std::int32_t>) return member == &AlertReport::id ? "alert id" : "";
 }

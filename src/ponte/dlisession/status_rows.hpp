@@ -85,7 +85,9 @@ inline constexpr Rule of_leg{"as is, where the leg has it", [](const vehicle::Le
 
 inline constexpr Rule leg_altitude_type{
     "3 where a waypoint's altitude is told", [](const vehicle::Leg& leg) -> std::optional<std::uint8_t> {
-      const auto has_altitude = [](const std::optional<vehicle::Waypoint>& point) { return point && point->altitude_msl; };
+      const auto has_altitude = [](const std::optional<vehicle::Waypoint>& point) {
+        return point && point->altitude_msl;
+      };
       if (!has_altitude(leg.from) && !has_altitude(leg.to) && !has_altitude(leg.next)) return std::nullopt;
       return dli::altitude_type::wgs_84;
     }};
@@ -93,7 +95,8 @@ inline constexpr Rule leg_altitude_type{
 inline constexpr Rule vsm_id{"configured", [](const MappingContext& context, const vehicle::Identity&) {
                                return std::optional{context.description.vsm.value};
                              }};
-inline constexpr Rule vehicle_id{"the id that the vehicle has", [](const MappingContext& context, const vehicle::Identity&) {
+inline constexpr Rule vehicle_id{"the id that the vehicle has",
+                                 [](const MappingContext& context, const vehicle::Identity&) {
                                    return std::optional{context.description.vehicle.value};
                                  }};
 inline constexpr Rule vehicle_type{"configured", [](const MappingContext& context, const vehicle::Identity&) {
@@ -104,9 +107,10 @@ inline constexpr Rule vehicle_subtype{
     [](const MappingContext& context, const vehicle::Identity& identity) -> std::optional<std::uint16_t> {
       return context.description.vehicle_subtype.value_or(identity.airframe);
     }};
-inline constexpr Rule owning_id{"first byte of the vehicle's id", [](const MappingContext& context, const vehicle::Identity&) {
-                                  return std::optional{static_cast<std::uint8_t>(context.description.vehicle.value >> 24U)};
-                                }};
+inline constexpr Rule owning_id{
+    "first byte of the vehicle's id", [](const MappingContext& context, const vehicle::Identity&) {
+      return std::optional{static_cast<std::uint8_t>(context.description.vehicle.value >> 24U)};
+    }};
 inline constexpr Rule tail_number{
     "configured, else the serial number of the autopilot hardware",
     [](const MappingContext& context, const vehicle::Identity& identity) -> std::optional<Text<15>> {
@@ -115,14 +119,15 @@ inline constexpr Rule tail_number{
       if (text.empty()) return std::nullopt;
       return text;
     }};
-inline constexpr Rule call_sign{
-    "configured", [](const MappingContext& context, const vehicle::Identity&) -> std::optional<Text<31>> {
-      if (context.description.call_sign.empty()) return std::nullopt;
-      return context.description.call_sign;
-    }};
+inline constexpr Rule call_sign{"configured",
+                                [](const MappingContext& context, const vehicle::Identity&) -> std::optional<Text<31>> {
+                                  if (context.description.call_sign.empty()) return std::nullopt;
+                                  return context.description.call_sign;
+                                }};
 
-inline constexpr Rule priority{"cleared 0, nominal 1, caution 2, warning 3, emergency 4, failed 5",
-                               [](vehicle::Condition condition) { return std::optional{static_cast<std::uint8_t>(condition)}; }};
+inline constexpr Rule priority{
+    "cleared 0, nominal 1, caution 2, warning 3, emergency 4, failed 5",
+    [](vehicle::Condition condition) { return std::optional{static_cast<std::uint8_t>(condition)}; }};
 inline constexpr Rule subsystem_number{"number of the subsystem", [](vehicle::Subsystem which) {
                                          return std::optional{static_cast<std::uint8_t>(which)};
                                        }};

@@ -15,7 +15,17 @@ using ComponentId = Id<struct ComponentIdTag, std::uint8_t>;
 using MessageId = Id<struct MessageIdTag, std::uint32_t>;  ///< 24 bits in MAVLink 2, 8 in MAVLink 1
 
 enum class FieldType : std::uint8_t {
-  character, uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64,
+  character,
+  uint8,
+  int8,
+  uint16,
+  int16,
+  uint32,
+  int32,
+  uint64,
+  int64,
+  float32,
+  float64,
 };
 
 /// Bytes of one element on the wire.
@@ -65,9 +75,9 @@ struct FieldInfo {
 struct MessageInfo {
   MessageId id;
   std::string_view name;
-  std::uint8_t crc_extra;    ///< checksum seed made of names, types and order of the fields
-  std::uint8_t base_length;  ///< payload bytes without extensions: the whole of a MAVLink 1 payload
-  std::uint8_t full_length;  ///< payload bytes with extensions, before MAVLink 2 drops trailing zeros
+  std::uint8_t crc_extra;             ///< checksum seed made of names, types and order of the fields
+  std::uint8_t base_length;           ///< payload bytes without extensions: the whole of a MAVLink 1 payload
+  std::uint8_t full_length;           ///< payload bytes with extensions, before MAVLink 2 drops trailing zeros
   std::span<const FieldInfo> fields;  ///< in the order of the definition
 };
 
