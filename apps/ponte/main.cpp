@@ -23,6 +23,10 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   ponte::app::add_inspect(app);
   ponte::app::add_translate(app);
+  if (argc == 1) {
+    fmt::print(stderr, "{}", app.help());
+    return bad_usage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -25,7 +25,8 @@ MAV_LANDED_STATE landed_state_of(const LifeCycleSigns& signs) {
 
 vehicle::Phase phase_from(const LifeCycleSigns& signs) {
   using enum vehicle::Phase;
-  const bool failing = signs.system_status == MAV_STATE_CRITICAL || signs.system_status == MAV_STATE_EMERGENCY;
+  const bool failing = signs.system_status == MAV_STATE_CRITICAL || signs.system_status == MAV_STATE_EMERGENCY ||
+                       signs.system_status == MAV_STATE_FLIGHT_TERMINATION;
   if (!signs.armed) {
     switch (signs.system_status) {
       case MAV_STATE_UNINIT:

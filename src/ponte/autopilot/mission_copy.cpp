@@ -11,7 +11,6 @@
 #include "ponte/mavlink/autopilots/mission_item_reached.hpp"
 #include "ponte/mavlink/codec.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ponte::autopilot {
@@ -34,76 +33,94 @@ bool is_position(double latitude_deg, double longitude_deg) {
          std::abs(latitude_deg) <= 90 && std::abs(longitude_deg) <= 180;
 }
 
-}  // namespace
-
-void MissionCopy::begin_transfer(std::size_t count) {
-  incoming_.clear();
-  if (count <= item_limit) incoming_.resize(count);
-}
-
-void MissionCopy::take_item(std::uint16_t sequence, const Item& item) {
-  if (sequence < incoming_.size()) incoming_[sequence] = item;
-}
-
-void MissionCopy::take_item_frame(const mavlink::FrameView& frame) {
-  const auto place = [](Item& item, double latitude_deg, double longitude_deg) {
-    if (!is_position(latitude_deg, longitude_deg)) return;
-    item.latitude = radians_from_degrees(latitude_deg);
-    item.longitude = radians_from_degrees(longitude_deg);
-  };
-  if (const auto message = decode_if<messages::MissionItemInt>(frame)) {
-    if (message->mission_type != messages::MAV_MISSION_TYPE_MISSION) return;
-    Item item{true, message->command, message->frame, message->param1, message->param2, {}, {}, message->z};
-    place(item, message->x * 1e-7, message->y * 1e-7);
-    take_item(message->seq, item);
-  } else if (const auto plain = decode_if<messages::MissionItem>(frame)) {
-    if (plain->mission_type != messages::MAV_MISSION_TYPE_MISSION) return;
-    Item item{true, plain->command, plain->frame, plain->param1, plain->param2, {}, {}, plain->z};
-    place(item, double{plain->x}, double{plain->y});
-    take_item(plain->seq, item);
+/// True for the frames in which x and y are latitude and longitude.
+bool is_global(std::uint8_t frame) {
+  switch (frame) {
+    case messages::MAV_FRAME_GLOBAL:
+    case messages::MAV_FRAME_GLOBAL_INT:
+    case messages::MAV_FRAME_GLOBAL_RELATIVE_ALT:
+    case messages::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT:
+    case messages::MAV_FRAME_GLOBAL_TERRAIN_ALT:
+    case messages::MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: return true;
+    default: return false;
   }
 }
 
-void MissionCopy::commit() {
-  items_ = std::move(incoming_);
-  incoming_.clear();
-  reached_.reset();
+/// Items that are flown to a height, even where they name no place.
+bool is_take_off(std::uint16_t command) {
+  return command == messages::MAV_CMD_NAV_TAKEOFF || command == messages::MAV_CMD_NAV_VTOL_TAKEOFF;
 }
 
+/// MAVLink 1 knows no mission types and means the mission.
+template <class M>
+bool is_of_mission(const M& message) {
+  return message.mission_type == messages::MAV_MISSION_TYPE_MISSION;
+}
+
+}  // namespace
+
+std::optional<MissionCopy::NumberedItem> MissionCopy::item_in(const mavlink::FrameView& frame) {
+  const auto item_of = [](const auto& message, double latitude_deg, double longitude_deg) {
+    NumberedItem result{message.seq,
+                        {true, message.command, message.frame, message.param1, message.param2, {}, {}, message.z}};
+    if (is_global(message.frame) && is_position(latitude_deg, longitude_deg)) {
+      result.item.latitude = radians_from_degrees(latitude_deg);
+      result.item.longitude = radians_from_degrees(longitude_deg);
+    }
+    return result;
+  };
+  if (const auto item = decode_if<messages::MissionItemInt>(frame); item && is_of_mission(*item))
+    return item_of(*item, item->x * 1e-7, item->y * 1e-7);
+  if (const auto item = decode_if<messages::MissionItem>(frame); item && is_of_mission(*item))
+    return item_of(*item, double{item->x}, double{item->y});
+  return std::nullopt;
+}
+
+/// What the vehicle tells of its mission is so, whether all of it is asked for or a single item.
 void MissionCopy::on_vehicle_message(const mavlink::FrameView& frame) {
   if (const auto current = decode_if<messages::MissionCurrent>(frame)) current_ = current->seq;
   if (const auto item = decode_if<messages::MissionItemReached>(frame)) reached_ = item->seq;
-  if (const auto count = decode_if<messages::MissionCount>(frame);
-      count && count->mission_type == messages::MAV_MISSION_TYPE_MISSION) {
-    uploading_ = false;
-    begin_transfer(count->count);
+  if (const auto count = decode_if<messages::MissionCount>(frame); count && is_of_mission(*count)) {
+    // Another count than ours: we have missed an upload, and what we know is of an old mission.
+    if (count->count != items_.size()) items_.assign(count->count <= item_limit ? count->count : 0, Item{});
   }
-  if (const auto ack = decode_if<messages::MissionAck>(frame);
-      ack && ack->mission_type == messages::MAV_MISSION_TYPE_MISSION && ack->type == messages::MAV_MISSION_ACCEPTED) {
-    if (clearing_) incoming_.clear();
-    if (uploading_ || clearing_) commit();
-    uploading_ = clearing_ = false;
+  if (const auto told = item_in(frame); told && told->sequence < items_.size()) items_[told->sequence] = told->item;
+  if (const auto ack = decode_if<messages::MissionAck>(frame)) on_answer(ack->type, ack->mission_type);
+}
+
+void MissionCopy::on_answer(std::uint8_t result, std::uint8_t mission_type) {
+  const bool clears = clearing_ && (mission_type == messages::MAV_MISSION_TYPE_MISSION ||
+                                    mission_type == messages::MAV_MISSION_TYPE_ALL);
+  if (!clears && mission_type != messages::MAV_MISSION_TYPE_MISSION) return;
+  // The upload goes on after this one.
+  if (result == messages::MAV_MISSION_INVALID_SEQUENCE) return;
+
+  if (result == messages::MAV_MISSION_ACCEPTED && clears) {
+    items_.clear();
+    reached_.reset();
+  } else if (result == messages::MAV_MISSION_ACCEPTED && uploading_) {
+    // ArduPilot replaces the home item by its own home.
+    if (first_item_is_home_ && !incoming_.empty()) incoming_.front() = items_.empty() ? Item{} : items_.front();
+    items_ = std::move(incoming_);
+    reached_.reset();
+  } else if (uploading_ && first_item_is_home_) {
+    items_.clear();  // ArduPilot overwrites item by item: nobody knows how far it came. PX4 keeps the old mission.
   }
-  if (uploading_) return;
-  take_item_frame(frame);
-  const bool is_complete = !incoming_.empty() && std::ranges::all_of(incoming_, &Item::known);
-  if (is_complete) {
-    const auto reached = reached_;  // a download does not change the mission
-    commit();
-    reached_ = reached;
-  }
+  incoming_.clear();
+  uploading_ = clearing_ = false;
 }
 
 void MissionCopy::on_station_message(const mavlink::FrameView& frame) {
-  if (const auto count = decode_if<messages::MissionCount>(frame);
-      count && count->mission_type == messages::MAV_MISSION_TYPE_MISSION) {
+  if (const auto count = decode_if<messages::MissionCount>(frame); count && is_of_mission(*count)) {
     uploading_ = true;
-    begin_transfer(count->count);
+    clearing_ = false;
+    incoming_.assign(count->count <= item_limit ? count->count : 0, Item{});
   }
   if (const auto clear = decode_if<messages::MissionClearAll>(frame);
-      clear && clear->mission_type == messages::MAV_MISSION_TYPE_MISSION)
+      clear && (is_of_mission(*clear) || clear->mission_type == messages::MAV_MISSION_TYPE_ALL))
     clearing_ = true;
-  if (uploading_) take_item_frame(frame);
+  if (const auto sent = item_in(frame); sent && sent->sequence < incoming_.size())
+    incoming_[sent->sequence] = sent->item;
 }
 
 const MissionCopy::Item* MissionCopy::find(std::size_t sequence) const {
@@ -122,12 +139,13 @@ std::optional<vehicle::Waypoint> MissionCopy::waypoint(std::size_t sequence,
   const auto number = first_item_is_home_ ? sequence : sequence + 1;
   constexpr std::size_t largest_number = 65534;
   if (item == nullptr || number == 0 || number > largest_number) return std::nullopt;
-  vehicle::Waypoint waypoint{.number = static_cast<std::uint16_t>(number),
-                             .latitude = item->latitude,
-                             .longitude = item->longitude};
-  if (!std::isfinite(item->z)) return waypoint;
+  vehicle::Waypoint waypoint{
+      .number = static_cast<std::uint16_t>(number), .latitude = item->latitude, .longitude = item->longitude};
+  // Without a place, e.g. in NAV_RETURN_TO_LAUNCH, the height means nothing.
+  if (!std::isfinite(item->z) || !(item->latitude || is_take_off(item->command))) return waypoint;
   if (!home_altitude_msl && first_item_is_home_)
-    if (const auto* home = find(0); home != nullptr && std::isfinite(home->z)) home_altitude_msl = Metres{home->z};
+    if (const auto* home = find(0); home != nullptr && home->latitude && std::isfinite(home->z))
+      home_altitude_msl = Metres{home->z};
   switch (item->frame) {
     case messages::MAV_FRAME_GLOBAL:
     case messages::MAV_FRAME_GLOBAL_INT: waypoint.altitude_msl = Metres{item->z}; break;
@@ -142,14 +160,14 @@ std::optional<vehicle::Waypoint> MissionCopy::waypoint(std::size_t sequence,
 
 /// The next item that is flown to: commands in between are passed over, jumps are followed.
 std::optional<std::size_t> MissionCopy::following(std::size_t sequence) const {
-  std::size_t jumps = 0;
+  std::size_t jump_count = 0;
   for (std::size_t next = sequence + 1; find(next) != nullptr;) {
     const auto& item = *find(next);
     if (item.command <= last_navigation_command) return next;
-    const bool jumps_back = item.command == messages::MAV_CMD_DO_JUMP && item.param2 != 0 && item.param1 >= 0 &&
-                            item.param1 < static_cast<float>(items_.size());
-    if (jumps_back && ++jumps > longest_jump_chain) return std::nullopt;
-    next = jumps_back ? static_cast<std::size_t>(item.param1) : next + 1;
+    const bool jumps = item.command == messages::MAV_CMD_DO_JUMP && item.param2 != 0 && item.param1 >= 0 &&
+                       item.param1 < static_cast<float>(items_.size());
+    if (jumps && ++jump_count > longest_jump_chain) return std::nullopt;
+    next = jumps ? static_cast<std::size_t>(item.param1) : next + 1;
   }
   return std::nullopt;
 }

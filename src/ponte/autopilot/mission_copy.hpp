@@ -40,19 +40,22 @@ class MissionCopy {
     float z{};
   };
 
-  void begin_transfer(std::size_t count);
-  void take_item(std::uint16_t sequence, const Item& item);
-  void take_item_frame(const mavlink::FrameView& frame);
-  void commit();
+  struct NumberedItem {
+    std::uint16_t sequence{};
+    Item item{};
+  };
+
+  [[nodiscard]] static std::optional<NumberedItem> item_in(const mavlink::FrameView& frame);
+  void on_answer(std::uint8_t result, std::uint8_t mission_type);
   [[nodiscard]] const Item* find(std::size_t sequence) const;
   [[nodiscard]] std::optional<vehicle::Waypoint> waypoint(std::size_t sequence,
                                                           std::optional<Metres> home_altitude_msl) const;
   [[nodiscard]] std::optional<std::size_t> following(std::size_t sequence) const;
 
-  std::vector<Item> items_;      ///< on board
-  std::vector<Item> incoming_;   ///< of the transfer under way
-  bool uploading_{};             ///< that transfer goes to the vehicle, and counts when the vehicle accepts it
-  bool clearing_{};
+  std::vector<Item> items_;     ///< on board
+  std::vector<Item> incoming_;  ///< of an upload, on board when the vehicle has accepted it
+  bool uploading_{};            ///< a station sends items, and the vehicle has not answered yet
+  bool clearing_{};             ///< a station wants the mission cleared, and the vehicle has not answered yet
   bool first_item_is_home_{};
   std::optional<std::uint16_t> current_;
   std::optional<std::uint16_t> reached_;

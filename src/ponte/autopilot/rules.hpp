@@ -14,8 +14,8 @@ namespace ponte::autopilot::rules {
 inline constexpr double standard_gravity = 9.80665;
 inline constexpr double gas_constant_of_dry_air = 287.05287;  ///< J/(kg K)
 inline constexpr double standard_sea_level_density = 1.225;   ///< kg/m^3
-/// Nearer to the vertical than about 3 degrees, roll and heading turn into each other: their rates grow without limit, and
-/// the rate of pitch, which needs the roll, loses its meaning too.
+/// Nearer to the vertical than about 3 degrees, roll and heading turn into each other: their rates grow without limit,
+/// and the rate of pitch, which needs the roll, loses its meaning too.
 inline constexpr double smallest_cosine_of_pitch = 0.05;
 /// An attitude older than this says nothing about an acceleration.
 inline constexpr std::chrono::milliseconds attitude_lifetime{500};
@@ -51,8 +51,8 @@ inline constexpr Rule euler_roll_rate{
     "p + tan(pitch) (q sin(roll) + r cos(roll)); nothing near the vertical",
     [](float p, float q, float r, float roll, float pitch) -> std::optional<RadiansPerSecond> {
       if (!(std::cos(double{pitch}) > smallest_cosine_of_pitch)) return std::nullopt;
-      const double rate =
-          double{p} + std::tan(double{pitch}) * (double{q} * std::sin(double{roll}) + double{r} * std::cos(double{roll}));
+      const double rate = double{p} + std::tan(double{pitch}) *
+                                          (double{q} * std::sin(double{roll}) + double{r} * std::cos(double{roll}));
       if (!std::isfinite(rate)) return std::nullopt;
       return RadiansPerSecond{rate};
     }};
@@ -66,17 +66,18 @@ inline constexpr Rule euler_pitch_rate{
       return RadiansPerSecond{rate};
     }};
 
-inline constexpr Rule euler_turn_rate{
-    "(q sin(roll) + r cos(roll)) / cos(pitch); nothing near the vertical",
-    [](float q, float r, float roll, float pitch) -> std::optional<RadiansPerSecond> {
-      if (!(std::cos(double{pitch}) > smallest_cosine_of_pitch)) return std::nullopt;
-      const double rate = (double{q} * std::sin(double{roll}) + double{r} * std::cos(double{roll})) /
-                          std::cos(double{pitch});
-      if (!std::isfinite(rate)) return std::nullopt;
-      return RadiansPerSecond{rate};
-    }};
+inline constexpr Rule euler_turn_rate{"(q sin(roll) + r cos(roll)) / cos(pitch); nothing near the vertical",
+                                      [](float q, float r, float roll, float pitch) -> std::optional<RadiansPerSecond> {
+                                        if (!(std::cos(double{pitch}) > smallest_cosine_of_pitch)) return std::nullopt;
+                                        const double rate =
+                                            (double{q} * std::sin(double{roll}) + double{r} * std::cos(double{roll})) /
+                                            std::cos(double{pitch});
+                                        if (!std::isfinite(rate)) return std::nullopt;
+                                        return RadiansPerSecond{rate};
+                                      }};
 
-// --- position: autopilots send latitude 0, longitude 0 until they have one ---------------------------------------------
+// --- position: autopilots send latitude 0, longitude 0 until they have one
+// ---------------------------------------------
 
 /// The integer times `factor`, unless latitude and longitude say that there is no position.
 template <class Q>
@@ -93,13 +94,12 @@ inline constexpr Rule millimetres_with_position{"mm / 1000; nothing without a po
 inline constexpr Rule centimetres_per_second_with_position{"cm/s / 100; nothing without a position",
                                                            with_position<MetresPerSecond>(1e-2)};
 
-inline constexpr Rule ellipsoid_height{
-    "mm / 1000; nothing without a 3D fix, and 0: not told",
-    [](std::int32_t height, std::uint8_t fix) -> std::optional<Metres> {
-      constexpr std::uint8_t fix_3d = 3;
-      if (height == 0 || fix < fix_3d) return std::nullopt;
-      return Metres{height * 1e-3};
-    }};
+inline constexpr Rule ellipsoid_height{"mm / 1000; nothing without a 3D fix, and 0: not told",
+                                       [](std::int32_t height, std::uint8_t fix) -> std::optional<Metres> {
+                                         constexpr std::uint8_t fix_3d = 3;
+                                         if (height == 0 || fix < fix_3d) return std::nullopt;
+                                         return Metres{height * 1e-3};
+                                       }};
 
 inline constexpr Rule downward_rangefinder{
     "cm / 100; nothing unless it looks down, is within its range and trusts its signal",
@@ -112,26 +112,28 @@ inline constexpr Rule downward_rangefinder{
       return Metres{distance * 1e-2};
     }};
 
-inline constexpr Rule height_over_terrain{"m; nothing below -1000: not known", [](float height) -> std::optional<Metres> {
+inline constexpr Rule height_over_terrain{"m; nothing below -1000: not known",
+                                          [](float height) -> std::optional<Metres> {
                                             if (!std::isfinite(height) || height < -1000) return std::nullopt;
                                             return Metres{height};
                                           }};
 
-inline constexpr Rule terrain_database_height{
-    "m; nothing where the terrain is not loaded (spacing 0)",
-    [](float height, std::uint16_t spacing) -> std::optional<Metres> {
-      if (spacing == 0 || !std::isfinite(height)) return std::nullopt;
-      return Metres{height};
-    }};
+inline constexpr Rule terrain_database_height{"m; nothing where the terrain is not loaded (spacing 0)",
+                                              [](float height, std::uint16_t spacing) -> std::optional<Metres> {
+                                                if (spacing == 0 || !std::isfinite(height)) return std::nullopt;
+                                                return Metres{height};
+                                              }};
 
-// --- air ----------------------------------------------------------------------------------------------------------------
+// --- air
+// ----------------------------------------------------------------------------------------------------------------
 
-/// Multirotors without a sensor report an airspeed of exactly 0.
+/// Multirotors without a sensor report an airspeed of exactly 0, and so may a vehicle that has not said what it is.
 [[nodiscard]] inline bool airspeed_is_told(const MappingContext& context, float airspeed) {
   constexpr std::array<std::uint8_t, 8> rotorcraft{2, 3, 4, 13, 14, 15, 29, 35};  // MAV_TYPE
   const auto& identity = context.state.identity;
-  const bool is_rotorcraft = identity && std::ranges::find(rotorcraft, identity.value().airframe) != rotorcraft.end();
-  return std::isfinite(airspeed) && airspeed >= 0 && !(airspeed == 0 && is_rotorcraft);
+  const bool may_lack_a_sensor =
+      !identity || std::ranges::find(rotorcraft, identity.value().airframe) != rotorcraft.end();
+  return std::isfinite(airspeed) && airspeed >= 0 && !(airspeed == 0 && may_lack_a_sensor);
 }
 
 inline constexpr Rule indicated_airspeed{
@@ -162,31 +164,36 @@ inline constexpr Rule standard_atmosphere_altitude{
       return Metres{44330.77 * (1 - std::pow(double{pressure} / 1013.25, 0.190263))};
     }};
 
-inline constexpr Rule centi_celsius{"cdegC / 100 + 273.15", [](std::int16_t temperature) -> std::optional<Kelvins> {
+inline constexpr Rule centi_celsius{"cdegC / 100 + 273.15; nothing at absolute zero or below",
+                                    [](std::int16_t temperature) -> std::optional<Kelvins> {
+                                      constexpr std::int16_t absolute_zero = -27315;
+                                      if (temperature <= absolute_zero) return std::nullopt;
                                       return Kelvins{temperature * 1e-2 + 273.15};
                                     }};
 
 /// Component of a wind that blows *from* `direction` degrees.
-inline constexpr Rule north_of_wind{"-speed cos(direction it blows from)",
-                                    [](float speed, float direction) -> std::optional<MetresPerSecond> {
-                                      const double wind = -double{speed} * std::cos(double{direction} * radians_per_degree);
-                                      if (!std::isfinite(wind)) return std::nullopt;
-                                      return MetresPerSecond{wind};
-                                    }};
-inline constexpr Rule east_of_wind{"-speed sin(direction it blows from)",
-                                   [](float speed, float direction) -> std::optional<MetresPerSecond> {
-                                     const double wind = -double{speed} * std::sin(double{direction} * radians_per_degree);
-                                     if (!std::isfinite(wind)) return std::nullopt;
-                                     return MetresPerSecond{wind};
-                                   }};
+inline constexpr Rule north_of_wind{
+    "-speed cos(direction it blows from)", [](float speed, float direction) -> std::optional<MetresPerSecond> {
+      const double wind = -double{speed} * std::cos(double{direction} * radians_per_degree);
+      if (!std::isfinite(wind)) return std::nullopt;
+      return MetresPerSecond{wind};
+    }};
+inline constexpr Rule east_of_wind{
+    "-speed sin(direction it blows from)", [](float speed, float direction) -> std::optional<MetresPerSecond> {
+      const double wind = -double{speed} * std::sin(double{direction} * radians_per_degree);
+      if (!std::isfinite(wind)) return std::nullopt;
+      return MetresPerSecond{wind};
+    }};
 
-// --- inertial sensors ---------------------------------------------------------------------------------------------------
+// --- inertial sensors
+// ---------------------------------------------------------------------------------------------------
 
-/// A HIGHRES_IMU value whose bit in fields_updated is set.
+/// A HIGHRES_IMU value whose bit in fields_updated is set. The values of several IMUs do not mix: the first one counts.
 template <class Q, std::uint16_t Bit>
-inline constexpr Rule updated{"as sent; nothing when fields_updated leaves it out",
-                              [](float value, std::uint16_t fields_updated) -> std::optional<Q> {
-                                if ((fields_updated & Bit) == 0 || !std::isfinite(value)) return std::nullopt;
+inline constexpr Rule updated{"as sent; nothing when fields_updated leaves it out, and from other IMUs than the first",
+                              [](float value, std::uint16_t fields_updated, std::uint8_t imu) -> std::optional<Q> {
+                                if ((fields_updated & Bit) == 0 || imu != 0 || !std::isfinite(value))
+                                  return std::nullopt;
                                 return Q{value};
                               }};
 
@@ -218,11 +225,11 @@ enum class Axis : std::uint8_t { north, east, down };
 
 template <Axis A>
 inline constexpr Rule earth_acceleration_from_si{
-    "turned into Earth axes by the newest attitude, gravity removed",
-    [](const MappingContext& context, float x, float y, float z,
-       std::uint16_t fields_updated) -> std::optional<MetresPerSecondSquared> {
+    "turned into Earth axes by the newest attitude, gravity removed; first IMU only",
+    [](const MappingContext& context, float x, float y, float z, std::uint16_t fields_updated,
+       std::uint8_t imu) -> std::optional<MetresPerSecondSquared> {
       constexpr std::uint16_t accelerometer = 7;
-      if ((fields_updated & accelerometer) != accelerometer) return std::nullopt;
+      if ((fields_updated & accelerometer) != accelerometer || imu != 0) return std::nullopt;
       return earth_acceleration(context, A, double{x}, double{y}, double{z});
     }};
 
@@ -235,7 +242,8 @@ inline constexpr Rule earth_acceleration_from_milli_gravity{
       return earth_acceleration(context, A, x * unit, y * unit, z * unit);
     }};
 
-// --- what the autopilot is trying to do -----------------------------------------------------------------------------------
+// --- what the autopilot is trying to do
+// -----------------------------------------------------------------------------------
 
 /// True while the autopilot itself steers, so that its navigation outputs mean something.
 [[nodiscard]] inline bool navigates(const MappingContext& context) {
@@ -258,11 +266,14 @@ inline constexpr Rule navigation_roll{"deg to rad; nothing unless the autopilot 
                                       }};
 
 inline constexpr Rule arrival{
-    "now + distance / ground speed; nothing while slower than 0.5 m/s or unless the autopilot navigates",
+    "now + distance / ground speed; nothing while slower than 0.5 m/s, and in all modes but the mission's: the "
+    "distance is "
+    "not to a waypoint then",
     [](const MappingContext& context, std::uint16_t distance_m) -> std::optional<WallTime> {
       constexpr double slowest = 0.5;
       const auto& [state, at] = context;
-      if (!navigates(context) || !state.north_speed || !state.east_speed) return std::nullopt;
+      const bool flies_mission = state.mode && state.mode.value().kind == vehicle::ModeKind::mission;
+      if (!flies_mission || !state.north_speed || !state.east_speed) return std::nullopt;
       const double speed = std::hypot(state.north_speed.value().value, state.east_speed.value().value);
       if (!(speed > slowest)) return std::nullopt;
       return at + std::chrono::milliseconds{std::llround(distance_m / speed * 1000)};
@@ -291,18 +302,24 @@ inline constexpr Rule target_height{
       return Metres{altitude};
     }};
 
-inline constexpr Rule target_yaw{"rad; nothing when masked", [](float yaw, std::uint16_t mask) -> std::optional<Radians> {
+inline constexpr Rule target_yaw{"rad; nothing when masked",
+                                 [](float yaw, std::uint16_t mask) -> std::optional<Radians> {
                                    if ((mask & position_target::ignore_yaw) != 0 || !std::isfinite(yaw))
                                      return std::nullopt;
                                    return Radians{yaw};
                                  }};
 
-inline constexpr std::uint8_t ignore_attitude = 128;
+/// True when ATTITUDE_TARGET tells an attitude. A quaternion of zeros is none, NaN neither.
+[[nodiscard]] inline bool attitude_is_told(const std::array<float, 4>& q, std::uint8_t mask) {
+  constexpr std::uint8_t ignore_attitude = 128;
+  constexpr float smallest_square = 0.5F;
+  return (mask & ignore_attitude) == 0 && q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > smallest_square;
+}
 
 inline constexpr Rule roll_of_quaternion{
-    "roll of the attitude; nothing when masked",
+    "roll of the attitude; nothing when masked or without a quaternion",
     [](const std::array<float, 4>& q, std::uint8_t mask) -> std::optional<Radians> {
-      if ((mask & ignore_attitude) != 0) return std::nullopt;
+      if (!attitude_is_told(q, mask)) return std::nullopt;
       const double w = double{q[0]}, x = double{q[1]}, y = double{q[2]}, z = double{q[3]};
       const double roll = std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y));
       if (!std::isfinite(roll)) return std::nullopt;
@@ -310,16 +327,17 @@ inline constexpr Rule roll_of_quaternion{
     }};
 
 inline constexpr Rule heading_of_quaternion{
-    "heading of the attitude; nothing when masked",
+    "heading of the attitude; nothing when masked or without a quaternion",
     [](const std::array<float, 4>& q, std::uint8_t mask) -> std::optional<Radians> {
-      if ((mask & ignore_attitude) != 0) return std::nullopt;
+      if (!attitude_is_told(q, mask)) return std::nullopt;
       const double w = double{q[0]}, x = double{q[1]}, y = double{q[2]}, z = double{q[3]};
       const double heading = std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
       if (!std::isfinite(heading)) return std::nullopt;
       return Radians{heading};
     }};
 
-// --- power ----------------------------------------------------------------------------------------------------------------
+// --- power
+// ----------------------------------------------------------------------------------------------------------------
 
 inline constexpr Rule throttle{"%", counted<Percent>(1)};
 

@@ -45,24 +45,25 @@ constexpr std::array rows{
     SensorRow{prearm_check, "pre-arm check",  vsm,               caution, no_excuse},
     SensorRow{29, "obstacle avoidance",       navigation,        warning, no_excuse},
     SensorRow{30, "propulsion",               engine,            warning, no_excuse},
+    SensorRow{32, "recovery system",          recovery,          warning, no_excuse},
 };
 // clang-format on
 
-constexpr bool has(std::uint32_t bits, std::uint8_t bit) { return (bits >> bit & 1U) != 0; }
+constexpr bool has(std::uint64_t bits, std::uint8_t bit) { return (bits >> bit & 1U) != 0; }
 
 }  // namespace
 
 std::span<const SensorRow> sensor_rows() { return rows; }
 
-SubsystemConditions conditions_from(std::uint32_t present, std::uint32_t enabled, std::uint32_t healthy, bool armed) {
+SubsystemConditions conditions_from(const SensorBits& bits, bool armed) {
   SubsystemConditions conditions;
   for (const auto& row : rows) {
     // PX4 sets "enabled" for what is not fitted, so "present" decides first.
-    if (!has(present, row.bit) || !has(enabled, row.bit)) continue;
+    if (!has(bits.present & bits.enabled, row.bit)) continue;
     if (row.bit == prearm_check && armed) continue;
     auto condition = nominal;
-    if (!has(healthy, row.bit)) {
-      const bool excused = row.excused_by != no_excuse && has(present & healthy, row.excused_by);
+    if (!has(bits.healthy, row.bit)) {
+      const bool excused = row.excused_by != no_excuse && has(bits.present & bits.healthy, row.excused_by);
       condition = excused ? caution : row.when_unhealthy;
     }
     auto& worst = conditions[static_cast<std::size_t>(row.subsystem)];

@@ -11,7 +11,14 @@
 /// What the sensor bits of SYS_STATUS say of the vehicle's subsystems.
 namespace ponte::autopilot {
 
-/// One bit of SYS_STATUS.onboard_control_sensors_*.
+/// SYS_STATUS.onboard_control_sensors_* in the low 32 bits, and onboard_control_sensors_*_extended above them.
+struct SensorBits {
+  std::uint64_t present{};
+  std::uint64_t enabled{};
+  std::uint64_t healthy{};
+};
+
+/// One bit of `SensorBits`.
 struct SensorRow {
   std::uint8_t bit;
   std::string_view name;
@@ -25,10 +32,9 @@ inline constexpr std::uint8_t no_excuse = 255;
 
 using SubsystemConditions = std::array<std::optional<vehicle::Condition>, vehicle::subsystem_count>;
 
-/// The worst condition per subsystem; nothing where no fitted and enabled sensor belongs to it. The pre-arm check counts
-/// while disarmed only.
-[[nodiscard]] SubsystemConditions conditions_from(std::uint32_t present, std::uint32_t enabled, std::uint32_t healthy,
-                                                  bool armed);
+/// The worst condition per subsystem; nothing where no fitted and enabled sensor belongs to it. The pre-arm check
+/// counts while disarmed only.
+[[nodiscard]] SubsystemConditions conditions_from(const SensorBits& bits, bool armed);
 
 /// HEARTBEAT.system_status (MAV_STATE) as a condition of the vehicle as a whole; nothing for the ordinary states.
 [[nodiscard]] std::optional<vehicle::Condition> condition_of_state(std::uint8_t system_status);

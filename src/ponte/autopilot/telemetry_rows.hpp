@@ -54,15 +54,15 @@ inline constexpr std::tuple global_position{
 using H = messages::HighresImu;
 using rules::Axis;
 inline constexpr std::tuple highres_imu{
-    row(&State::body_x_acceleration, rules::updated<MetresPerSecondSquared, 1>, "mapping 1 #3010", &H::xacc, &H::fields_updated),
-    row(&State::body_y_acceleration, rules::updated<MetresPerSecondSquared, 2>, "mapping 1 #3010", &H::yacc, &H::fields_updated),
-    row(&State::body_z_acceleration, rules::updated<MetresPerSecondSquared, 4>, "mapping 1 #3010", &H::zacc, &H::fields_updated),
-    row(&State::body_roll_rate,      rules::updated<RadiansPerSecond, 8>,       "mapping 1 #3010", &H::xgyro, &H::fields_updated),
-    row(&State::body_pitch_rate,     rules::updated<RadiansPerSecond, 16>,      "mapping 1 #3010", &H::ygyro, &H::fields_updated),
-    row(&State::body_yaw_rate,       rules::updated<RadiansPerSecond, 32>,      "mapping 1 #3010", &H::zgyro, &H::fields_updated),
-    row(&State::north_acceleration,  rules::earth_acceleration_from_si<Axis::north>, "mapping 1 #4000", &H::xacc, &H::yacc, &H::zacc, &H::fields_updated),
-    row(&State::east_acceleration,   rules::earth_acceleration_from_si<Axis::east>,  "mapping 1 #4000", &H::xacc, &H::yacc, &H::zacc, &H::fields_updated),
-    row(&State::down_acceleration,   rules::earth_acceleration_from_si<Axis::down>,  "mapping 1 #4000", &H::xacc, &H::yacc, &H::zacc, &H::fields_updated),
+    row(&State::body_x_acceleration, rules::updated<MetresPerSecondSquared, 1>, "mapping 1 #3010", &H::xacc, &H::fields_updated, &H::id),
+    row(&State::body_y_acceleration, rules::updated<MetresPerSecondSquared, 2>, "mapping 1 #3010", &H::yacc, &H::fields_updated, &H::id),
+    row(&State::body_z_acceleration, rules::updated<MetresPerSecondSquared, 4>, "mapping 1 #3010", &H::zacc, &H::fields_updated, &H::id),
+    row(&State::body_roll_rate,      rules::updated<RadiansPerSecond, 8>,       "mapping 1 #3010", &H::xgyro, &H::fields_updated, &H::id),
+    row(&State::body_pitch_rate,     rules::updated<RadiansPerSecond, 16>,      "mapping 1 #3010", &H::ygyro, &H::fields_updated, &H::id),
+    row(&State::body_yaw_rate,       rules::updated<RadiansPerSecond, 32>,      "mapping 1 #3010", &H::zgyro, &H::fields_updated, &H::id),
+    row(&State::north_acceleration,  rules::earth_acceleration_from_si<Axis::north>, "mapping 1 #4000", &H::xacc, &H::yacc, &H::zacc, &H::fields_updated, &H::id),
+    row(&State::east_acceleration,   rules::earth_acceleration_from_si<Axis::east>,  "mapping 1 #4000", &H::xacc, &H::yacc, &H::zacc, &H::fields_updated, &H::id),
+    row(&State::down_acceleration,   rules::earth_acceleration_from_si<Axis::down>,  "mapping 1 #4000", &H::xacc, &H::yacc, &H::zacc, &H::fields_updated, &H::id),
 };
 
 using S = messages::ScaledImu;
@@ -170,10 +170,25 @@ inline constexpr std::tuple sys_status{
 
 /// All tables, each a tuple of rows of one message.
 inline constexpr std::tuple telemetry_tables{
-    rows::attitude,       rows::global_position, rows::highres_imu,     rows::scaled_imu,      rows::vfr_hud,
-    rows::scaled_pressure, rows::wind,           rows::wind_cov,        rows::aoa_ssa,         rows::distance_sensor,
-    rows::altitude,       rows::terrain_report,  rows::gps_raw,         rows::home_position,   rows::nav_controller_output,
-    rows::position_target, rows::attitude_target, rows::battery_status, rows::sys_status,
+    rows::attitude,
+    rows::global_position,
+    rows::highres_imu,
+    rows::scaled_imu,
+    rows::vfr_hud,
+    rows::scaled_pressure,
+    rows::wind,
+    rows::wind_cov,
+    rows::aoa_ssa,
+    rows::distance_sensor,
+    rows::altitude,
+    rows::terrain_report,
+    rows::gps_raw,
+    rows::home_position,
+    rows::nav_controller_output,
+    rows::position_target,
+    rows::attitude_target,
+    rows::battery_status,
+    rows::sys_status,
 };
 
 /// The message type that a table's rows read.

@@ -1,13 +1,17 @@
 #include "ponte/autopilot/vehicle_monitor.hpp"
 
-#include "ponte/autopilot/subsystem_health.hpp"
 #include "ponte/autopilot/telemetry_rows.hpp"
 #include "ponte/core/hex.hpp"
 #include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/extended_sys_state.hpp"
 #include "ponte/mavlink/autopilots/heartbeat.hpp"
+#include "ponte/mavlink/autopilots/mission_ack.hpp"
+#include "ponte/mavlink/autopilots/mission_count.hpp"
 #include "ponte/mavlink/autopilots/mission_current.hpp"
+#include "ponte/mavlink/autopilots/mission_item.hpp"
+#include "ponte/mavlink/autopilots/mission_item_int.hpp"
+#include "ponte/mavlink/autopilots/mission_item_reached.hpp"
 #include "ponte/mavlink/autopilots/statustext.hpp"
 #include "ponte/mavlink/autopilots/system_time.hpp"
 #include "ponte/mavlink/codec.hpp"
@@ -23,16 +27,20 @@ namespace {
 using vehicle::Alert;
 using vehicle::Condition;
 using vehicle::ModeKind;
+using vehicle::Moment;
 using vehicle::Subsystem;
 
 constexpr std::string_view heartbeat_lost = "vehicle heartbeat lost";
+
+/// ArduPilot sends the landed state only while somebody wants it; PX4 every 10 s on the slowest links.
+constexpr std::chrono::seconds landed_state_lifetime{15};
 
 template <mavlink::Message M>
 bool is(const mavlink::FrameView& frame) {
   return frame.message == M::info.id;
 }
 
-/// When the message was true at the source, if it says so.
+/// When the message was true at the source.
 template <mavlink::Message M>
 WallTime sample_time(SampleClock& clock, const M& message, WallTime received) {
   if constexpr (requires { message.time_boot_ms; })
@@ -40,42 +48,64 @@ WallTime sample_time(SampleClock& clock, const M& message, WallTime received) {
   else if constexpr (requires { message.time_usec; })
     return clock.from_usec(message.time_usec, received);
   else
-    return received;
+    return clock.from_reception(received);
 }
 
 template <class Table>
 void apply_table(const Table& table, const mavlink::FrameView& frame, vehicle::State& state, SampleClock& clock,
-                 WallTime received) {
+                 Timestamp now, WallTime received) {
   using M = typename MessageOf<Table>::type;
   if (!is<M>(frame)) return;
   const auto message = mavlink::decode<M>(frame);
   const MappingContext context{state, sample_time(clock, message, received)};
+  const vehicle::Moment moment{context.at, now, state.revision};
   const auto learn = [&](const auto& row) {
-    if (const auto value = row.convert(message, context))
-      (state.*row.target).learn(*value, context.at, state.revision, row.rank);
+    if (const auto value = row.convert(message, context)) (state.*row.target).learn(*value, moment, row.rank);
   };
   std::apply([&](const auto&... row) { (learn(row), ...); }, table);
+}
+
+/// The messages that can change the leg which is flown.
+bool concerns_leg(const mavlink::FrameView& frame) {
+  return is<messages::MissionCurrent>(frame) || is<messages::MissionItemReached>(frame) ||
+         is<messages::MissionCount>(frame) || is<messages::MissionItem>(frame) || is<messages::MissionItemInt>(frame) ||
+         is<messages::MissionAck>(frame) || is<messages::HomePosition>(frame);
+}
+
+SensorBits sensor_bits(const messages::SysStatus& status) {
+  SensorBits bits{status.onboard_control_sensors_present, status.onboard_control_sensors_enabled,
+                  status.onboard_control_sensors_health};
+  if ((bits.present & messages::MAV_SYS_STATUS_EXTENSION_USED) == 0) return bits;
+  bits.present |= std::uint64_t{status.onboard_control_sensors_present_extended} << 32U;
+  bits.enabled |= std::uint64_t{status.onboard_control_sensors_enabled_extended} << 32U;
+  bits.healthy |= std::uint64_t{status.onboard_control_sensors_health_extended} << 32U;
+  return bits;
 }
 
 }  // namespace
 
 void VehicleMonitor::on_message(Timestamp now, WallTime received, const mavlink::FrameView& frame,
                                 Outbox<Alert>& alerts) {
-  ++state_.revision;
   on_tick(now, received, alerts);
-  std::apply([&](const auto&... table) { (apply_table(table, frame, state_, clock_, received), ...); },
+  ++state_.revision;
+  std::apply([&](const auto&... table) { (apply_table(table, frame, state_, clock_, now, received), ...); },
              telemetry_tables);
 
-  if (is<messages::Heartbeat>(frame)) on_heartbeat(now, received, frame, alerts);
-  if (is<messages::AutopilotVersion>(frame)) on_autopilot_version(received, frame);
-  if (is<messages::SysStatus>(frame)) on_sys_status(received, frame);
+  const auto moment = moment_of(now, received);
+  if (is<messages::Heartbeat>(frame)) on_heartbeat(moment, frame, alerts);
+  if (is<messages::AutopilotVersion>(frame)) on_autopilot_version(moment, frame);
+  if (is<messages::SysStatus>(frame)) {
+    sensors_ = sensor_bits(mavlink::decode<messages::SysStatus>(frame));
+    update_subsystems(moment);
+  }
   if (is<messages::SystemTime>(frame)) {
     const auto time = mavlink::decode<messages::SystemTime>(frame);
-    clock_.on_system_time(time.time_unix_usec, time.time_boot_ms);
+    clock_.on_system_time(time.time_unix_usec, time.time_boot_ms, received);
   }
   if (is<messages::ExtendedSysState>(frame)) {
     signs_.landed_state = mavlink::decode<messages::ExtendedSysState>(frame).landed_state;
-    update_phase(received);
+    landed_state_heard_ = now;
+    update_phase(moment);
   }
   if (is<messages::Statustext>(frame)) {
     const auto text = mavlink::decode<messages::Statustext>(frame);
@@ -83,39 +113,46 @@ void VehicleMonitor::on_message(Timestamp now, WallTime received, const mavlink:
                     [&](const Alert& alert) { alerts.push(alert); });
   }
   if (is<messages::MissionCurrent>(frame)) {
-    const auto current = mavlink::decode<messages::MissionCurrent>(frame);
-    if (current.mission_id != 0) learn(state_.mission_id, Text<19>{fmt::format("{:08x}", current.mission_id)}, received);
+    const auto id = mavlink::decode<messages::MissionCurrent>(frame).mission_id;
+    if (id != 0)
+      state_.mission_id.learn(Text<19>{fmt::format("{:08x}", id)}, moment);
+    else
+      state_.mission_id.forget();
   }
-  mission_.on_vehicle_message(frame);
-  update_leg(received);
+  if (concerns_leg(frame)) {
+    mission_.on_vehicle_message(frame);
+    update_leg(moment);
+  }
 }
 
-void VehicleMonitor::on_heartbeat(Timestamp now, WallTime received, const mavlink::FrameView& frame,
-                                  Outbox<Alert>& alerts) {
+void VehicleMonitor::on_heartbeat(const Moment& moment, const mavlink::FrameView& frame, Outbox<Alert>& alerts) {
   const auto heartbeat = mavlink::decode<messages::Heartbeat>(frame);
   if (link_ == Link::missed || link_ == Link::lost)
     alerts.push(Alert{Condition::no_status, Subsystem::comms, heartbeat_lost});
   link_ = Link::alive;
-  last_heartbeat_ = now;
+  last_heartbeat_ = moment.heard;
 
   signs_.stack = stack_of(heartbeat.autopilot, heartbeat.type);
   signs_.system_status = heartbeat.system_status;
   signs_.armed = (heartbeat.base_mode & messages::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
-  custom_mode_ = heartbeat.custom_mode;
+  if (moment.heard - landed_state_heard_ > landed_state_lifetime) signs_.landed_state.reset();
+  custom_mode_.reset();
+  if ((heartbeat.base_mode & messages::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0) custom_mode_ = heartbeat.custom_mode;
   mission_.set_first_item_is_home(heartbeat.autopilot == messages::MAV_AUTOPILOT_ARDUPILOTMEGA);
 
   auto identity = state_.identity.get().value_or(vehicle::Identity{});
   identity.autopilot = heartbeat.autopilot;
   identity.airframe = heartbeat.type;
-  learn(state_.identity, identity, received);
-  update_mode(received);
-  update_phase(received);
-  update_subsystems(received);
+  state_.identity.learn(identity, moment);
+  update_mode(moment);
+  update_phase(moment);
+  update_subsystems(moment);
 }
 
 /// MAVLink says "no mode" by silence only; a mission item in progress can mean more than the mode that flies it.
-void VehicleMonitor::update_mode(WallTime received) {
-  auto mode = mode_from(signs_.stack, custom_mode_);
+void VehicleMonitor::update_mode(const Moment& moment) {
+  if (!is_heard()) return;
+  auto mode = custom_mode_ ? mode_from(signs_.stack, *custom_mode_) : vehicle::Mode{};
   const auto command = mission_.current_command();
   if (mode.kind == ModeKind::mission && command) {
     if (signs_.stack == Stack::ardupilot_plane && *command == messages::MAV_CMD_NAV_LAND) mode.kind = ModeKind::land;
@@ -123,25 +160,27 @@ void VehicleMonitor::update_mode(WallTime received) {
       mode.kind = ModeKind::take_off;
   }
   signs_.mode = mode.kind;
-  learn(state_.mode, mode, received);
+  state_.mode.learn(mode, moment);
 }
 
-void VehicleMonitor::update_phase(WallTime received) {
-  if (link_ != Link::never_heard) learn(state_.phase, phase_from(signs_), received);
+void VehicleMonitor::update_phase(const Moment& moment) {
+  if (is_heard()) state_.phase.learn(phase_from(signs_), moment);
 }
 
-void VehicleMonitor::update_leg(WallTime received) {
+void VehicleMonitor::update_leg(const Moment& moment) {
   auto leg = mission_.leg(state_.home_altitude_msl.get());
-  if (!leg.from && !leg.to && !leg.next) return;
   if (leg.from) {
     const bool is_same = state_.leg && state_.leg.value().from && state_.leg.value().from->number == leg.from->number;
-    leg.from->reached = is_same ? state_.leg.value().from->reached : received;
+    leg.from->reached = is_same ? state_.leg.value().from->reached : moment.at;
   }
-  learn(state_.leg, leg, received);
-  update_mode(received);
+  if (leg == vehicle::Leg{})
+    state_.leg.forget();
+  else
+    state_.leg.learn(leg, moment);
+  update_mode(moment);
 }
 
-void VehicleMonitor::on_autopilot_version(WallTime received, const mavlink::FrameView& frame) {
+void VehicleMonitor::on_autopilot_version(const Moment& moment, const mavlink::FrameView& frame) {
   const auto version = mavlink::decode<messages::AutopilotVersion>(frame);
   auto identity = state_.identity.get().value_or(vehicle::Identity{});
   const bool has_uid2 = std::ranges::any_of(version.uid2, [](std::uint8_t byte) { return byte != 0; });
@@ -149,28 +188,21 @@ void VehicleMonitor::on_autopilot_version(WallTime received, const mavlink::Fram
     identity.serial = std::string_view{to_hex(std::as_bytes(std::span{version.uid2}))};
   else if (version.uid != 0)
     identity.serial = std::string_view{fmt::format("{:016x}", version.uid)};
-  learn(state_.identity, identity, received);
+  state_.identity.learn(identity, moment);
 }
 
-void VehicleMonitor::on_sys_status(WallTime received, const mavlink::FrameView& frame) {
-  const auto status = mavlink::decode<messages::SysStatus>(frame);
-  sensors_ = Sensors{status.onboard_control_sensors_present, status.onboard_control_sensors_enabled,
-                     status.onboard_control_sensors_health};
-  update_subsystems(received);
-}
-
-void VehicleMonitor::update_subsystems(WallTime received) {
+void VehicleMonitor::update_subsystems(const Moment& moment) {
   SubsystemConditions conditions;
-  if (sensors_) conditions = conditions_from(sensors_->present, sensors_->enabled, sensors_->healthy, signs_.armed);
+  if (sensors_) conditions = conditions_from(*sensors_, signs_.armed);
   if (const auto overall = condition_of_state(signs_.system_status)) {
     auto& vsm = conditions[static_cast<std::size_t>(Subsystem::vsm)];
     vsm = vsm ? std::max(*vsm, *overall) : overall;
   }
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     if (conditions[i])
-      learn(state_.subsystems[i], *conditions[i], received);
+      state_.subsystems[i].learn(*conditions[i], moment);
     else if (state_.subsystems[i])
-      learn(state_.subsystems[i], Condition::no_status, received);
+      state_.subsystems[i].learn(Condition::no_status, moment);
   }
 }
 
@@ -183,8 +215,10 @@ void VehicleMonitor::on_tick(Timestamp now, WallTime received, Outbox<Alert>& al
   if (link_ == Link::missed && now - last_heartbeat_ >= heartbeat_loss) {
     link_ = Link::lost;
     ++state_.revision;
-    learn(state_.mode, vehicle::Mode{}, received);
-    learn(state_.phase, vehicle::Phase::unknown, received);
+    const auto moment = moment_of(now, received);
+    state_.mode.learn(vehicle::Mode{}, moment);
+    state_.phase.learn(vehicle::Phase::unknown, moment);
+    clock_ = {};  // it may boot in the meantime
     alerts.push(Alert{Condition::emergency, Subsystem::comms, heartbeat_lost});
   }
 }

@@ -5,6 +5,7 @@
 #include "ponte/autopilot/mission_copy.hpp"
 #include "ponte/autopilot/sample_time.hpp"
 #include "ponte/autopilot/status_text.hpp"
+#include "ponte/autopilot/subsystem_health.hpp"
 #include "ponte/core/outbox.hpp"
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/vehicle/state.hpp"
@@ -37,35 +38,29 @@ class VehicleMonitor {
  private:
   enum class Link : std::uint8_t { never_heard, alive, missed, lost };
 
-  void on_heartbeat(Timestamp now, WallTime received, const mavlink::FrameView& frame,
-                    Outbox<vehicle::Alert>& alerts);
-  void on_autopilot_version(WallTime received, const mavlink::FrameView& frame);
-  void on_sys_status(WallTime received, const mavlink::FrameView& frame);
-  void update_mode(WallTime received);
-  void update_phase(WallTime received);
-  void update_leg(WallTime received);
-  void update_subsystems(WallTime received);
-
-  template <class T>
-  void learn(vehicle::Fact<T>& fact, const T& value, WallTime at) {
-    if (!fact || fact.value() != value) fact.learn(value, at, state_.revision);
+  [[nodiscard]] bool is_heard() const { return link_ == Link::alive || link_ == Link::missed; }
+  /// Of something that a message without a time stamp tells.
+  [[nodiscard]] vehicle::Moment moment_of(Timestamp now, WallTime received) const {
+    return {clock_.from_reception(received), now, state_.revision};
   }
+
+  void on_heartbeat(const vehicle::Moment& moment, const mavlink::FrameView& frame, Outbox<vehicle::Alert>& alerts);
+  void on_autopilot_version(const vehicle::Moment& moment, const mavlink::FrameView& frame);
+  void update_mode(const vehicle::Moment& moment);
+  void update_phase(const vehicle::Moment& moment);
+  void update_leg(const vehicle::Moment& moment);
+  void update_subsystems(const vehicle::Moment& moment);
 
   vehicle::State state_;
   SampleClock clock_;
   MissionCopy mission_;
   StatusTextAssembler texts_;
   LifeCycleSigns signs_;
-  std::uint32_t custom_mode_{};
+  Timestamp landed_state_heard_{};
+  std::optional<std::uint32_t> custom_mode_;  ///< nothing while HEARTBEAT says that it is not valid
   Link link_{Link::never_heard};
   Timestamp last_heartbeat_{};
-  struct Sensors {
-    std::uint32_t present{};
-    std::uint32_t enabled{};
-    std::uint32_t healthy{};
-    friend bool operator==(const Sensors&, const Sensors&) = default;
-  };
-  std::optional<Sensors> sensors_;
+  std::optional<SensorBits> sensors_;
 };
 
 /// Every row of the mapping tables in words, for documentation and tests.

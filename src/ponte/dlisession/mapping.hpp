@@ -49,18 +49,25 @@ Rule(std::string_view, F) -> Rule<F>;
 template <dli::Message M, class Raw, class F, class Source, class... Members>
 struct Row {
   std::optional<Raw> M::*target;
+  const dli::FieldInfo* field;  ///< of the target
   Rule<F> rule;
   std::string_view reference;  ///< of the design document that the row follows
   std::tuple<Members Source::*...> sources;
 };
 
-template <dli::Message M, class Raw, class F, class Source, class... Members>
-constexpr auto row(std::optional<Raw> M::*target, Rule<F> rule, std::string_view reference,
-                   Members Source::*... sources) {
-  return Row<M, Raw, F, Source, Members...>{target, rule, reference, {sources...}};
-}
-
 namespace detail {
+
+/// The description of a message's member.
+template <dli::Message M, class Raw>
+constexpr const dli::FieldInfo* field_of(std::optional<Raw> M::*member) {
+  const M message{};
+  const dli::FieldInfo* found = nullptr;
+  M::visit(message, [&]<class T>(const dli::FieldInfo& field, const T& value) {
+    if constexpr (std::same_as<T, std::optional<Raw>>)
+      if (&value == &(message.*member)) found = &field;
+  });
+  return found;
+}
 
 template <class T>
 bool is_known(const vehicle::Fact<T>& fact) {
@@ -93,37 +100,33 @@ void advance(WallTime& newest, const vehicle::Fact<T>& fact) {
 template <class T>
 void advance(WallTime&, const T&) {}
 
-template <dli::Message M, class Raw>
-const dli::FieldInfo& field_of(std::optional<Raw> M::*member) {
-  const M message{};
-  const dli::FieldInfo* found = nullptr;
-  M::visit(message, [&]<class T>(const dli::FieldInfo& field, const T& value) {
-    if (static_cast<const void*>(&value) == static_cast<const void*>(&(message.*member))) found = &field;
-  });
-  return *found;
-}
-
-/// The wire's integer for a physical value; absent when the value does not fit, rather than wrong.
-template <class Unit, dli::Message M, class Raw>
-void assign(M& message, std::optional<Raw> M::*target, Quantity<Unit> value, const dli::Profile& profile) {
-  static const dli::FieldInfo& field = field_of(target);
+/// The wire's integer for a physical value; nothing when the value does not fit, rather than a wrong one.
+template <dli::Message M, class Raw, class Unit>
+std::optional<Raw> raw_from(Quantity<Unit> value, const dli::FieldInfo& field, const dli::Profile& profile) {
   const auto scaled = dli::raw_from_value(field, profile.scale_of(M::info, field), value.value);
-  if (scaled && !scaled->saturated) message.*target = static_cast<Raw>(scaled->raw);
+  if (!scaled || scaled->saturated) return std::nullopt;
+  return static_cast<Raw>(scaled->raw);
 }
 template <dli::Message M, class Raw>
-void assign(M& message, std::optional<Raw> M::*target, WallTime value, const dli::Profile&) {
-  if (const auto stamp = dli::time_stamp_from(value)) message.*target = static_cast<Raw>(*stamp);
+std::optional<Raw> raw_from(WallTime value, const dli::FieldInfo&, const dli::Profile&) {
+  return dli::time_stamp_from(value);
 }
 template <dli::Message M, class Raw, std::size_t Size>
-void assign(M& message, std::optional<Raw> M::*target, const Text<Size>& value, const dli::Profile&) {
-  message.*target = Raw{value.view()};
+std::optional<Raw> raw_from(const Text<Size>& value, const dli::FieldInfo&, const dli::Profile&) {
+  return Raw{value.view()};
 }
 template <dli::Message M, std::integral Raw>
-void assign(M& message, std::optional<Raw> M::*target, Raw value, const dli::Profile&) {
-  message.*target = value;
+std::optional<Raw> raw_from(Raw value, const dli::FieldInfo&, const dli::Profile&) {
+  return value;
 }
 
 }  // namespace detail
+
+template <dli::Message M, class Raw, class F, class Source, class... Members>
+constexpr auto row(std::optional<Raw> M::*target, Rule<F> rule, std::string_view reference,
+                   Members Source::*... sources) {
+  return Row<M, Raw, F, Source, Members...>{target, detail::field_of(target), rule, reference, {sources...}};
+}
 
 /// A message and the time its newest fact was true.
 template <dli::Message M>
@@ -148,7 +151,7 @@ template <class M, class Table, class Source>
           if (!(detail::is_news(source.*member, since) || ...)) return;
           const auto assign = [&](const auto& value) {
             if (!value) return;
-            detail::assign(built.message, row.target, *value, context.profile);
+            built.message.*row.target = detail::raw_from<M, Raw>(*value, *row.field, context.profile);
             if (!(built.message.*row.target)) return;
             has_news = true;
             (detail::advance(built.at, source.*member), ...);
@@ -162,7 +165,7 @@ template <class M, class Table, class Source>
   };
   std::apply([&](const auto&... row) { (fill(row), ...); }, table);
   if (!has_news) return std::nullopt;
-  detail::assign(built.message, &M::time_stamp, built.at, context.profile);
+  built.message.time_stamp = dli::time_stamp_from(built.at);
   return built;
 }
 
@@ -189,7 +192,7 @@ template <dli::Message M, class Raw, class F, class Source, class... Members>
 [[nodiscard]] RowText describe(const Row<M, Raw, F, Source, Members...>& row) {
   static_assert(sizeof...(Members) <= std::tuple_size_v<decltype(RowText::sources)>);
   RowText text{.message = &M::info,
-               .field = &detail::field_of(row.target),
+               .field = row.field,
                .sources = {},
                .units = {},
                .rule = row.rule.text,

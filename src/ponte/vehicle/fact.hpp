@@ -17,6 +17,13 @@ using SourceRank = std::uint8_t;
 /// A worse source is listened to when the better one has been silent for this long.
 inline constexpr std::chrono::seconds better_source_silence{2};
 
+/// When something is learnt.
+struct Moment {
+  WallTime at{};        ///< true at the source then; the clocks of sources need not agree
+  Timestamp heard{};    ///< told to us then
+  Revision revision{};  ///< of the `State` that learns it
+};
+
 /// One thing that is known of a vehicle, or not: value, the time it was true at the source, and when it changed here.
 template <class T>
 class Fact {
@@ -35,12 +42,17 @@ class Fact {
   /// True when it is known and was learnt after `revision`, be the value another or the same.
   [[nodiscard]] bool newer_than(Revision revision) const { return known() && revision_ > revision; }
 
-  /// Takes the value unless a better source spoke less than `better_source_silence` before `at`. False: not taken.
-  bool learn(const T& value, WallTime at, Revision revision, SourceRank rank = 0) {
-    if (known() && rank > rank_ && at - at_ < better_source_silence) return false;
+  /// True when it is known and has another value than at `revision`.
+  [[nodiscard]] bool changed_since(Revision revision) const { return known() && changed_ > revision; }
+
+  /// Takes the value unless a better source was heard less than `better_source_silence` before. False: not taken.
+  bool learn(const T& value, const Moment& moment, SourceRank rank = 0) {
+    if (known() && rank > rank_ && moment.heard - heard_ < better_source_silence) return false;
+    if (value_ != value) changed_ = moment.revision;
     value_ = value;
-    at_ = at;
-    revision_ = revision;
+    at_ = moment.at;
+    heard_ = moment.heard;
+    revision_ = moment.revision;
     rank_ = rank;
     return true;
   }
@@ -49,7 +61,9 @@ class Fact {
  private:
   std::optional<T> value_;
   WallTime at_{};
+  Timestamp heard_{};
   Revision revision_{};
+  Revision changed_{};
   SourceRank rank_{};
 };
 

@@ -62,7 +62,6 @@ struct Telemetry::Vehicle {
   Revision leg_told{};
   Revision mode_told{};
   Revision identity_told{};
-  Revision phase_told{};
   std::array<Revision, vehicle::subsystem_count> subsystem_told{};
 
   // When the next message is due even if nothing calls for it; nothing: it has nothing to say yet.
@@ -72,6 +71,17 @@ struct Telemetry::Vehicle {
   std::optional<Timestamp> leg_due{};
   std::optional<Timestamp> mode_due{};
   std::optional<Timestamp> identity_due{};
+
+  Timestamp body_allowed{Timestamp::min()};  ///< the next #3010, not before
+
+  /// When a message is due or a time-out runs out.
+  [[nodiscard]] Timestamp next_deadline() const {
+    auto deadline = Timestamp::max();
+    for (const auto& due :
+         {inertial_due, air_due, operating_due, leg_due, mode_due, identity_due, monitor.next_deadline()})
+      if (due) deadline = std::min(deadline, *due);
+    return deadline;
+  }
 };
 
 Telemetry::Telemetry(TelemetryConfig config, TelemetryRates rates) : config_{std::move(config)}, rates_{rates} {
@@ -100,11 +110,14 @@ bool Telemetry::send_news(Vehicle& vehicle, Revision since, WallTime wall, Outbo
 }
 
 Telemetry::Vehicle* Telemetry::vehicle_that_sent(const mavlink::FrameView& frame) {
-  const auto place = std::ranges::lower_bound(vehicles_, frame.system, {}, [](const auto& entry) { return entry->system; });
+  const auto place =
+      std::ranges::lower_bound(vehicles_, frame.system, {}, [](const auto& entry) { return entry->system; });
   const bool is_known = place != vehicles_.end() && (*place)->system == frame.system;
   std::optional<bool> says_autopilot;
-  if (is<from::Heartbeat>(frame))
-    says_autopilot = mavlink::decode<from::Heartbeat>(frame).autopilot != from::MAV_AUTOPILOT_INVALID;
+  if (is<from::Heartbeat>(frame)) {
+    const auto heartbeat = mavlink::decode<from::Heartbeat>(frame);
+    says_autopilot = heartbeat.autopilot != from::MAV_AUTOPILOT_INVALID && heartbeat.type != from::MAV_TYPE_GCS;
+  }
 
   if (!is_known) {
     // A recording may begin with telemetry before the first HEARTBEAT; component 1 is the autopilot by convention.
@@ -126,7 +139,7 @@ Telemetry::Vehicle* Telemetry::vehicle_that_sent(const mavlink::FrameView& frame
 
 void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameView& frame,
                          const mavlink::MessageInfo& message, Outbox<OutgoingMessage>& out) {
-  on_tick(now, received, out);
+  if (next_deadline_ <= now) on_tick(now, received, out);
   auto* sender = vehicle_that_sent(frame);
   if (sender == nullptr) {
     const auto target = target_of(frame, message);
@@ -146,8 +159,9 @@ void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameV
 
   if (is<from::Attitude>(frame)) vehicle.inertial_due = now;
   if (is<from::VfrHud>(frame)) vehicle.air_due = now;
-  if (is<from::HighresImu>(frame) || is<from::ScaledImu>(frame)) {
-    send_news<to::BodyRelativeSensedStates>(vehicle, vehicle.body_told, received, out);
+  if ((is<from::HighresImu>(frame) || is<from::ScaledImu>(frame)) && vehicle.body_allowed <= now) {
+    if (send_news<to::BodyRelativeSensedStates>(vehicle, vehicle.body_told, received, out))
+      vehicle.body_allowed = now + rates_.body_pause;
     vehicle.body_told = state.revision;
   }
   const auto wait_for = [&](std::optional<Timestamp>& due, Duration longest) {
@@ -159,20 +173,21 @@ void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameV
   wait_for(vehicle.leg_due, Duration{});
   send_changes(vehicle, now, received, out);
   send_due(vehicle, now, received, out);
+  next_deadline_ = std::min(next_deadline_, vehicle.next_deadline());
 }
 
 /// What is told at once when it changes.
 void Telemetry::send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
   const dlisession::MappingContext context{config_.profile, vehicle.description};
   const auto& state = vehicle.monitor.state();
-  if (state.identity.newer_than(vehicle.identity_told) || state.mission_id.newer_than(vehicle.identity_told))
+  if (state.identity.changed_since(vehicle.identity_told) || state.mission_id.changed_since(vehicle.identity_told))
     vehicle.identity_due = now;
-  if (state.mode.newer_than(vehicle.mode_told)) vehicle.mode_due = now;
-  if (state.phase.newer_than(vehicle.phase_told)) vehicle.operating_due = now;
-  if (state.leg.newer_than(vehicle.leg_told)) vehicle.leg_due = now;
+  if (state.mode.changed_since(vehicle.mode_told)) vehicle.mode_due = now;
+  if (state.phase.changed_since(vehicle.operating_told)) vehicle.operating_due = now;
+  if (state.leg.changed_since(vehicle.leg_told)) vehicle.leg_due = now;
   for (std::size_t i = 0; i < state.subsystems.size(); ++i) {
     const auto& condition = state.subsystems[i];
-    if (!condition.newer_than(vehicle.subsystem_told[i])) continue;
+    if (!condition.changed_since(vehicle.subsystem_told[i])) continue;
     const dlisession::SubsystemReport report{static_cast<vehicle::Subsystem>(i), condition.value()};
     send(vehicle.description.vehicle, dlisession::subsystem_message(report, condition.at(), context), wall, out);
     vehicle.subsystem_told[i] = state.revision;
@@ -200,7 +215,7 @@ void Telemetry::send_due(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<
   }
   if (is_due(vehicle.operating_due)) {
     send_news<to::VehicleOperatingStates>(vehicle, vehicle.operating_told, wall, out);
-    vehicle.operating_told = vehicle.phase_told = state.revision;
+    vehicle.operating_told = state.revision;
     vehicle.operating_due = now + rates_.operating_states;
   }
   if (is_due(vehicle.inertial_due)) {
@@ -221,31 +236,19 @@ void Telemetry::send_due(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<
 }
 
 void Telemetry::on_tick(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
-  if (!next_heartbeat_ || *next_heartbeat_ <= now) {
+  if (next_heartbeat_ <= now) {
     // The heartbeat proves the VSM, whatever the vehicles do.
     send(config_.vsm, dlisession::heartbeat_message(wall), wall, out);
     next_heartbeat_ = now + rates_.heartbeat;
   }
+  next_deadline_ = next_heartbeat_;
   for (const auto& vehicle : vehicles_) {
     if (vehicle->is_none) continue;
     vehicle->monitor.on_tick(now, wall, vehicle->alerts);
     send_changes(*vehicle, now, wall, out);
     send_due(*vehicle, now, wall, out);
+    next_deadline_ = std::min(next_deadline_, vehicle->next_deadline());
   }
-}
-
-std::optional<Timestamp> Telemetry::next_deadline() const {
-  auto deadline = next_heartbeat_;
-  const auto consider = [&](const std::optional<Timestamp>& time) {
-    if (time) deadline = deadline ? std::min(*deadline, *time) : *time;
-  };
-  for (const auto& vehicle : vehicles_) {
-    if (vehicle->is_none) continue;
-    for (const auto& due : {vehicle->inertial_due, vehicle->air_due, vehicle->operating_due, vehicle->leg_due,
-                            vehicle->mode_due, vehicle->identity_due, vehicle->monitor.next_deadline()})
-      consider(due);
-  }
-  return deadline;
 }
 
 void Telemetry::finish(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
@@ -259,7 +262,8 @@ void Telemetry::finish(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& ou
 }
 
 std::size_t Telemetry::vehicle_count() const {
-  return static_cast<std::size_t>(std::ranges::count_if(vehicles_, [](const auto& vehicle) { return !vehicle->is_none; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(vehicles_, [](const auto& vehicle) { return !vehicle->is_none; }));
 }
 
 const vehicle::State* Telemetry::state_of(mavlink::SystemId system) const {

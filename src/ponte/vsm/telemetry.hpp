@@ -40,6 +40,7 @@ struct OutgoingMessage {
 struct TelemetryRates {
   Duration inertial_wait = std::chrono::milliseconds{100};  ///< longest that a position waits for the next attitude
   Duration air_wait = std::chrono::milliseconds{200};       ///< longest that air data wait for the next VFR_HUD
+  Duration body_pause = std::chrono::milliseconds{50};      ///< shortest between two samples of the inertial sensors
   Duration operating_states = std::chrono::seconds{1};
   Duration operating_mode = std::chrono::seconds{2};
   Duration leg = std::chrono::seconds{1};
@@ -48,8 +49,8 @@ struct TelemetryRates {
 };
 
 /// Turns what MAVLink vehicles say into DLI status messages: one #4000 for every ATTITUDE, one #3009 for every VFR_HUD,
-/// one #3010 for every inertial sample, the others on change and at the rates above. A message carries what was learnt
-/// since the last one of its kind. Knows no clock and no socket.
+/// one #3010 for inertial samples as they come, up to 20 a second, the others on change and at the rates above. A
+/// message carries what was learnt since the last one of its kind. Knows no clock and no socket.
 class Telemetry {
  public:
   static constexpr std::size_t vehicle_limit = 250;
@@ -59,13 +60,13 @@ class Telemetry {
   Telemetry(Telemetry&&) noexcept;
   Telemetry& operator=(Telemetry&&) noexcept;
 
-  /// A good frame of a known message from any sender on the links: vehicles are told apart by system id, ground stations
-  /// are listened to for the missions that they upload.
+  /// A good frame of a known message from any sender on the links: vehicles are told apart by system id, ground
+  /// stations are listened to for the missions that they upload.
   void on_frame(Timestamp now, WallTime received, const mavlink::FrameView& frame, const mavlink::MessageInfo& message,
                 Outbox<OutgoingMessage>& out);
   void on_tick(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
-  /// When `on_tick` next has something to do.
-  [[nodiscard]] std::optional<Timestamp> next_deadline() const;
+  /// When `on_tick` next has something to do, or earlier.
+  [[nodiscard]] Timestamp next_deadline() const { return next_deadline_; }
   /// Sends what waits for more, e.g. at the end of a recording.
   void finish(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
 
@@ -87,7 +88,8 @@ class Telemetry {
   TelemetryConfig config_;
   TelemetryRates rates_;
   std::vector<std::unique_ptr<Vehicle>> vehicles_;  ///< by system id, ascending
-  std::optional<Timestamp> next_heartbeat_;
+  Timestamp next_heartbeat_{Timestamp::min()};
+  Timestamp next_deadline_{Timestamp::min()};
 };
 
 }  // namespace ponte::vsm

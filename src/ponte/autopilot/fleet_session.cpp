@@ -1,0 +1,218 @@
+#include "ponte/autopilot/fleet_session.hpp"
+
+#include "ponte/autopilot/stream_requests.hpp"
+#include "ponte/core/assert.hpp"
+#include "ponte/mavlink/autopilots/attitude.hpp"
+#include "ponte/mavlink/autopilots/command_long.hpp"
+#include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/mavlink/autopilots/heartbeat.hpp"
+#include "ponte/mavlink/autopilots/request_data_stream.hpp"
+#include "ponte/mavlink/autopilots/system_time.hpp"
+#include "ponte/mavlink/autopilots/timesync.hpp"
+#include "ponte/mavlink/codec.hpp"
+
+#include <algorithm>
+
+namespace ponte::autopilot {
+namespace {
+
+namespace messages = mavlink::autopilots;
+
+/// Messages overtake one another by less than this; a larger step back in the time since boot is a reboot.
+constexpr std::uint32_t largest_disorder_ms = 1000;
+/// SYSTEM_TIME comes about once a second; a larger step forward is another clock, or a long silence.
+constexpr std::uint32_t largest_jump_ms = 5000;
+
+template <mavlink::Message M>
+bool is(const mavlink::FrameView& frame) {
+  return frame.message == M::info.id;
+}
+
+}  // namespace
+
+FleetSession::FleetSession(FleetConfig config) : config_{config} {
+  vehicles_.reserve(vehicle_limit);
+  links_.reserve(link_limit);
+}
+
+FleetSession::Vehicle* FleetSession::find(mavlink::SystemId system) {
+  const auto found = std::ranges::lower_bound(vehicles_, system, {}, &Vehicle::system);
+  return found != vehicles_.end() && found->system == system ? &*found : nullptr;
+}
+
+FleetSession::Link* FleetSession::find(LinkId link) {
+  const auto found = std::ranges::find(links_, link, &Link::id);
+  return found == links_.end() ? nullptr : &*found;
+}
+
+void FleetSession::on_link_up(Timestamp now, LinkId link) {
+  if (find(link) != nullptr || links_.size() == link_limit) return;
+  links_.push_back({link, config_.version, 0});
+  next_heartbeat_ = now;  // autopilots stay silent until they hear a ground station
+}
+
+void FleetSession::on_link_down(LinkId link) {
+  std::erase_if(links_, [&](const Link& entry) { return entry.id == link; });
+}
+
+template <mavlink::Message M>
+void FleetSession::send(LinkId link, const M& message, Outbox<OutgoingFrame>& out) {
+  auto* peer = find(link);
+  if (peer == nullptr) return;
+  OutgoingFrame frame;
+  frame.link = link;
+  const auto size = mavlink::encode(message,
+                                    {.version = peer->version,
+                                     .system = config_.system,
+                                     .component = config_.component,
+                                     .sequence = peer->sequence++},
+                                    frame.buffer);
+  PONTE_ASSERT(size.has_value());
+  frame.size = *size;
+  out.push(frame);
+}
+
+bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
+                            Outbox<FleetFact>& facts) {
+  on_tick(now, out, facts);
+  if (auto* peer = find(link)) peer->version = frame.version;
+  if (is<messages::Timesync>(frame)) answer_timesync(now, link, frame, out);
+  if (is<messages::Heartbeat>(frame)) return on_heartbeat(now, link, frame, out, facts);
+
+  auto* vehicle = find(frame.system);
+  if (vehicle == nullptr || vehicle->link != link || vehicle->component != frame.component) return false;
+  if (is<messages::SystemTime>(frame)) on_system_time(now, *vehicle, frame, out, facts);
+  if (is<messages::Attitude>(frame)) vehicle->last_attitude = now;
+  return true;
+}
+
+bool FleetSession::on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
+                                Outbox<FleetFact>& facts) {
+  const auto heartbeat = mavlink::decode<messages::Heartbeat>(frame);
+  if (heartbeat.autopilot == messages::MAV_AUTOPILOT_INVALID || frame.system.value == 0) return false;
+  const auto tell = [&](FleetFact::Kind kind) { facts.push({kind, frame.system, frame.component, link}); };
+
+  auto* vehicle = find(frame.system);
+  if (vehicle == nullptr) {
+    if (vehicles_.size() == vehicle_limit) return false;
+    const auto place = std::ranges::lower_bound(vehicles_, frame.system, {}, &Vehicle::system);
+    vehicle = &*vehicles_.insert(place, Vehicle{.system = frame.system, .component = frame.component, .link = link});
+    tell(FleetFact::Kind::appeared);
+  } else if (vehicle->lost) {
+    vehicle->lost = false;
+    vehicle->link = link;
+    vehicle->component = frame.component;
+    vehicle->newest_boot_ms.reset();
+    tell(FleetFact::Kind::returned);
+  } else if (vehicle->link != link || vehicle->component != frame.component) {
+    // Two that answer to one name must not be taken for one: the first stays, the other is left out and told.
+    tell_duplicate(*vehicle, link, facts);
+    return false;
+  } else {
+    vehicle->last_heartbeat = now;
+    return true;
+  }
+  vehicle->stack = stack_of(heartbeat.autopilot, heartbeat.type);
+  vehicle->last_heartbeat = now;
+  ask(now, *vehicle, out);
+  return true;
+}
+
+void FleetSession::tell_duplicate(Vehicle& vehicle, LinkId link, Outbox<FleetFact>& facts) {
+  if (!vehicle.duplicate_told) facts.push({FleetFact::Kind::duplicate_id, vehicle.system, vehicle.component, link});
+  vehicle.duplicate_told = true;
+}
+
+/// Time since boot that goes back is a reboot. If it then comes forward to where it was, it was never gone: two
+/// vehicles with one id take turns on this link.
+void FleetSession::on_system_time(Timestamp now, Vehicle& vehicle, const mavlink::FrameView& frame,
+                                  Outbox<OutgoingFrame>& out, Outbox<FleetFact>& facts) {
+  const auto boot_ms = mavlink::decode<messages::SystemTime>(frame).time_boot_ms;
+  const auto before = vehicle.newest_boot_ms;
+  vehicle.newest_boot_ms = boot_ms;
+  if (!before) return;
+  if (std::uint64_t{boot_ms} + largest_disorder_ms < *before) {
+    if (vehicle.duplicate_told) return;
+    vehicle.boot_ms_before_reboot = before;
+    facts.push({FleetFact::Kind::rebooted, vehicle.system, vehicle.component, vehicle.link});
+    ask(now, vehicle, out);
+  } else if (vehicle.boot_ms_before_reboot && boot_ms >= *vehicle.boot_ms_before_reboot &&
+             boot_ms > std::uint64_t{*before} + largest_jump_ms) {
+    tell_duplicate(vehicle, vehicle.link, facts);
+  }
+}
+
+/// A request has tc1 0; the answer mirrors ts1 and gives our time in tc1, in nanoseconds.
+void FleetSession::answer_timesync(Timestamp now, LinkId link, const mavlink::FrameView& frame,
+                                   Outbox<OutgoingFrame>& out) {
+  const auto request = mavlink::decode<messages::Timesync>(frame);
+  if (request.tc1 != 0) return;
+  send(link,
+       messages::Timesync{.tc1 = now.time_since_epoch().count(),
+                          .ts1 = request.ts1,
+                          .target_system = frame.system.value,
+                          .target_component = frame.component.value},
+       out);
+}
+
+void FleetSession::ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& out) {
+  vehicle.last_request = now;
+  vehicle.last_attitude = now;
+  if (!config_.ask_for_streams) return;
+  for (const auto& group : stream_groups_for(vehicle.stack))
+    send(vehicle.link,
+         messages::RequestDataStream{.target_system = vehicle.system.value,
+                                     .target_component = vehicle.component.value,
+                                     .req_stream_id = group.group,
+                                     .req_message_rate = group.rate_hz,
+                                     .start_stop = 1},
+         out);
+  const auto command = [&](std::uint16_t number, mavlink::MessageId message, float parameter) {
+    send(vehicle.link,
+         messages::CommandLong{.target_system = vehicle.system.value,
+                               .target_component = vehicle.component.value,
+                               .command = number,
+                               .param1 = static_cast<float>(message.value),
+                               .param2 = parameter},
+         out);
+  };
+  constexpr double us_per_s = 1e6;
+  for (const auto& [message, rate_hz] : message_rates_for(vehicle.stack))
+    command(messages::MAV_CMD_SET_MESSAGE_INTERVAL, message, static_cast<float>(us_per_s / rate_hz));
+  for (const auto message : single_messages_for(vehicle.stack)) command(messages::MAV_CMD_REQUEST_MESSAGE, message, 0);
+}
+
+void FleetSession::on_tick(Timestamp now, Outbox<OutgoingFrame>& out, Outbox<FleetFact>& facts) {
+  if (next_heartbeat_ && *next_heartbeat_ <= now) {
+    for (const auto& link : links_)
+      send(link.id,
+           messages::Heartbeat{.type = messages::MAV_TYPE_GCS,
+                               .autopilot = messages::MAV_AUTOPILOT_INVALID,
+                               .system_status = messages::MAV_STATE_ACTIVE},
+           out);
+    next_heartbeat_ = now + heartbeat_period;
+  }
+  for (auto& vehicle : vehicles_) {
+    if (vehicle.lost) continue;
+    if (now - vehicle.last_heartbeat >= loss_limit) {
+      vehicle.lost = true;
+      facts.push({FleetFact::Kind::lost, vehicle.system, vehicle.component, vehicle.link});
+      continue;
+    }
+    if (now - vehicle.last_attitude >= stream_patience && now - vehicle.last_request >= stream_patience)
+      ask(now, vehicle, out);
+  }
+}
+
+std::optional<Timestamp> FleetSession::next_deadline() const {
+  auto deadline = next_heartbeat_;
+  const auto consider = [&](Timestamp time) { deadline = deadline ? std::min(*deadline, time) : time; };
+  for (const auto& vehicle : vehicles_) {
+    if (vehicle.lost) continue;
+    consider(vehicle.last_heartbeat + loss_limit);
+    consider(std::max(vehicle.last_attitude, vehicle.last_request) + stream_patience);
+  }
+  return deadline;
+}
+
+}  // namespace ponte::autopilot
