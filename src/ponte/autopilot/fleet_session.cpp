@@ -40,6 +40,10 @@ FleetSession::Vehicle* FleetSession::find(mavlink::SystemId system) {
   return found != vehicles_.end() && found->system == system ? &*found : nullptr;
 }
 
+bool FleetSession::follows(mavlink::SystemId system) const {
+  return std::ranges::binary_search(vehicles_, system, {}, &Vehicle::system);
+}
+
 FleetSession::Link* FleetSession::find(LinkId link) {
   const auto found = std::ranges::find(links_, link, &Link::id);
   return found == links_.end() ? nullptr : &*found;

@@ -86,6 +86,8 @@ class FleetSession {
     std::optional<std::uint32_t> newest_boot_ms{};
     std::optional<std::uint32_t> boot_ms_before_reboot{};
   };
+  /// Whether this system id is that of a vehicle.
+  [[nodiscard]] bool follows(mavlink::SystemId system) const;
   /// By system id, ascending.
   [[nodiscard]] const std::vector<Vehicle>& vehicles() const { return vehicles_; }
 

@@ -11,8 +11,10 @@
 #include "ponte/mavlink/autopilots/scaled_imu.hpp"
 #include "ponte/mavlink/autopilots/vfr_hud.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/vsm/changes.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace ponte::vsm {
 namespace {
@@ -54,11 +56,20 @@ struct Telemetry::Vehicle {
   Outbox<vehicle::Alert> alerts{alerts_at_once};
   dlisession::AlertIds alert_ids;
 
-  // Up to which revision a message has told what is known.
-  Revision inertial_told{};
-  Revision air_told{};
-  Revision body_told{};
-  Revision operating_told{};
+  template <class M>
+  struct Stream {
+    Revision told{};                      ///< up to which revision a message has told what is known
+    M values{};                           ///< what each field last said
+    Timestamp allowed{Timestamp::min()};  ///< the next message, not before
+    Timestamp refresh{Timestamp::min()};  ///< when every field is told again
+  };
+  std::tuple<Stream<to::InertialStates>, Stream<to::AirAndGroundRelativeStates>, Stream<to::BodyRelativeSensedStates>,
+             Stream<to::VehicleOperatingStates>>
+      streams;
+  template <class M>
+  Stream<M>& stream() {
+    return std::get<Stream<M>>(streams);
+  }
   Revision leg_told{};
   Revision mode_told{};
   Revision identity_told{};
@@ -71,8 +82,6 @@ struct Telemetry::Vehicle {
   std::optional<Timestamp> leg_due{};
   std::optional<Timestamp> mode_due{};
   std::optional<Timestamp> identity_due{};
-
-  Timestamp body_allowed{Timestamp::min()};  ///< the next #3010, not before
 
   /// When a message is due or a time-out runs out.
   [[nodiscard]] Timestamp next_deadline() const {
@@ -109,6 +118,26 @@ bool Telemetry::send_news(Vehicle& vehicle, Revision since, WallTime wall, Outbo
   return built.has_value();
 }
 
+/// The next message of a stream: what is new, and if changes are all that is wanted, what has another value.
+template <class M>
+bool Telemetry::send_stream(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
+  auto& stream = vehicle.stream<M>();
+  const dlisession::MappingContext context{config_.profile, vehicle.description};
+  const auto& state = vehicle.monitor.state();
+  const bool refresh = rates_.full_refresh && stream.refresh <= now;
+  auto built = dlisession::status_message<M>(state, refresh ? 0 : stream.told, context);
+  stream.told = state.revision;
+  if (!built) return false;
+  if (refresh) {
+    stream.refresh = now + *rates_.full_refresh;
+    stream.values = built->message;
+  } else if (rates_.full_refresh && !keep_changes(built->message, stream.values)) {
+    return false;
+  }
+  send(vehicle.description.vehicle, built->message, wall, out);
+  return true;
+}
+
 Telemetry::Vehicle* Telemetry::vehicle_that_sent(const mavlink::FrameView& frame) {
   const auto place =
       std::ranges::lower_bound(vehicles_, frame.system, {}, [](const auto& entry) { return entry->system; });
@@ -142,28 +171,25 @@ void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameV
   if (next_deadline_ <= now) on_tick(now, received, out);
   auto* sender = vehicle_that_sent(frame);
   if (sender == nullptr) {
-    const auto target = target_of(frame, message);
-    for (const auto& vehicle : vehicles_)
-      if (target == vehicle->system) vehicle->monitor.on_station_message(frame);
+    on_station_frame(frame, message);
     return;
   }
   auto& vehicle = *sender;
-  const auto& state = vehicle.monitor.state();
 
   // A position that no message has carried yet goes out before the next one replaces it.
-  if (is<from::GlobalPositionInt>(frame) && state.latitude.newer_than(vehicle.inertial_told)) {
-    send_news<to::InertialStates>(vehicle, vehicle.inertial_told, received, out);
-    vehicle.inertial_told = state.revision;
-  }
+  auto& inertial = vehicle.stream<to::InertialStates>();
+  if (is<from::GlobalPositionInt>(frame) && rates_.inertial_pause == Duration{} &&
+      vehicle.monitor.state().latitude.newer_than(inertial.told))
+    send_stream<to::InertialStates>(vehicle, now, received, out);
   vehicle.monitor.on_message(now, received, frame, vehicle.alerts);
 
-  if (is<from::Attitude>(frame)) vehicle.inertial_due = now;
-  if (is<from::VfrHud>(frame)) vehicle.air_due = now;
-  if ((is<from::HighresImu>(frame) || is<from::ScaledImu>(frame)) && vehicle.body_allowed <= now) {
-    if (send_news<to::BodyRelativeSensedStates>(vehicle, vehicle.body_told, received, out))
-      vehicle.body_allowed = now + rates_.body_pause;
-    vehicle.body_told = state.revision;
-  }
+  if (is<from::Attitude>(frame)) vehicle.inertial_due = std::max(now, inertial.allowed);
+  if (is<from::VfrHud>(frame))
+    vehicle.air_due = std::max(now, vehicle.stream<to::AirAndGroundRelativeStates>().allowed);
+  auto& body = vehicle.stream<to::BodyRelativeSensedStates>();
+  if ((is<from::HighresImu>(frame) || is<from::ScaledImu>(frame)) && body.allowed <= now &&
+      send_stream<to::BodyRelativeSensedStates>(vehicle, now, received, out))
+    body.allowed = now + rates_.body_pause;
   const auto wait_for = [&](std::optional<Timestamp>& due, Duration longest) {
     if (!due) due = now + longest;
   };
@@ -176,6 +202,21 @@ void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameV
   next_deadline_ = std::min(next_deadline_, vehicle.next_deadline());
 }
 
+void Telemetry::on_station_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo& message) {
+  const auto target = target_of(frame, message);
+  for (const auto& vehicle : vehicles_)
+    if (target == vehicle->system) vehicle->monitor.on_station_message(frame);
+}
+
+void Telemetry::raise(mavlink::SystemId system, const vehicle::Alert& alert, WallTime wall,
+                      Outbox<OutgoingMessage>& out) {
+  for (const auto& vehicle : vehicles_) {
+    if (vehicle->system != system || vehicle->is_none) continue;
+    vehicle->alerts.push(alert);
+    send_alerts(*vehicle, wall, out);
+  }
+}
+
 /// What is told at once when it changes.
 void Telemetry::send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out) {
   const dlisession::MappingContext context{config_.profile, vehicle.description};
@@ -183,7 +224,7 @@ void Telemetry::send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Out
   if (state.identity.changed_since(vehicle.identity_told) || state.mission_id.changed_since(vehicle.identity_told))
     vehicle.identity_due = now;
   if (state.mode.changed_since(vehicle.mode_told)) vehicle.mode_due = now;
-  if (state.phase.changed_since(vehicle.operating_told)) vehicle.operating_due = now;
+  if (state.phase.changed_since(vehicle.stream<to::VehicleOperatingStates>().told)) vehicle.operating_due = now;
   if (state.leg.changed_since(vehicle.leg_told)) vehicle.leg_due = now;
   for (std::size_t i = 0; i < state.subsystems.size(); ++i) {
     const auto& condition = state.subsystems[i];
@@ -192,6 +233,11 @@ void Telemetry::send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Out
     send(vehicle.description.vehicle, dlisession::subsystem_message(report, condition.at(), context), wall, out);
     vehicle.subsystem_told[i] = state.revision;
   }
+  send_alerts(vehicle, wall, out);
+}
+
+void Telemetry::send_alerts(Vehicle& vehicle, WallTime wall, Outbox<OutgoingMessage>& out) {
+  const dlisession::MappingContext context{config_.profile, vehicle.description};
   vehicle.alerts.drain([&](const vehicle::Alert& alert) {
     const dlisession::AlertReport report{alert.severity, alert.subsystem, alert.text,
                                          vehicle.alert_ids.id_for(alert.text.view())};
@@ -214,18 +260,17 @@ void Telemetry::send_due(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<
     vehicle.mode_due = now + rates_.operating_mode;
   }
   if (is_due(vehicle.operating_due)) {
-    send_news<to::VehicleOperatingStates>(vehicle, vehicle.operating_told, wall, out);
-    vehicle.operating_told = state.revision;
+    send_stream<to::VehicleOperatingStates>(vehicle, now, wall, out);
     vehicle.operating_due = now + rates_.operating_states;
   }
   if (is_due(vehicle.inertial_due)) {
-    send_news<to::InertialStates>(vehicle, vehicle.inertial_told, wall, out);
-    vehicle.inertial_told = state.revision;
+    if (send_stream<to::InertialStates>(vehicle, now, wall, out))
+      vehicle.stream<to::InertialStates>().allowed = now + rates_.inertial_pause;
     vehicle.inertial_due.reset();
   }
   if (is_due(vehicle.air_due)) {
-    send_news<to::AirAndGroundRelativeStates>(vehicle, vehicle.air_told, wall, out);
-    vehicle.air_told = state.revision;
+    if (send_stream<to::AirAndGroundRelativeStates>(vehicle, now, wall, out))
+      vehicle.stream<to::AirAndGroundRelativeStates>().allowed = now + rates_.air_pause;
     vehicle.air_due.reset();
   }
   if (is_due(vehicle.leg_due)) {

@@ -38,7 +38,9 @@ struct OutgoingMessage {
 
 /// How often what is sent, beside "on change" (procedures, section 7).
 struct TelemetryRates {
+  Duration inertial_pause{};  ///< shortest between two #4000; 0: every attitude and every position is told
   Duration inertial_wait = std::chrono::milliseconds{100};  ///< longest that a position waits for the next attitude
+  Duration air_pause{};                                     ///< shortest between two #3009
   Duration air_wait = std::chrono::milliseconds{200};       ///< longest that air data wait for the next VFR_HUD
   Duration body_pause = std::chrono::milliseconds{50};      ///< shortest between two samples of the inertial sensors
   Duration operating_states = std::chrono::seconds{1};
@@ -46,7 +48,19 @@ struct TelemetryRates {
   Duration leg = std::chrono::seconds{1};
   Duration vehicle_id = std::chrono::seconds{5};
   Duration heartbeat = std::chrono::seconds{1};
+  /// When set, #3002, #3009, #3010 and #4000 leave out the fields whose value is the one told last, but for one message
+  /// of each in this time, so that a station that joins late learns everything.
+  std::optional<Duration> full_refresh{};
 };
+
+/// What a live link can carry without pain: #4000 at 10 Hz, #3009 at 4 Hz, unchanged fields once in five seconds.
+[[nodiscard]] constexpr TelemetryRates live_rates() {
+  TelemetryRates rates;
+  rates.inertial_pause = std::chrono::milliseconds{100};
+  rates.air_pause = std::chrono::milliseconds{250};
+  rates.full_refresh = std::chrono::seconds{5};
+  return rates;
+}
 
 /// Turns what MAVLink vehicles say into DLI status messages: one #4000 for every ATTITUDE, one #3009 for every VFR_HUD,
 /// one #3010 for inertial samples as they come, up to 20 a second, the others on change and at the rates above. A
@@ -64,6 +78,10 @@ class Telemetry {
   /// stations are listened to for the missions that they upload.
   void on_frame(Timestamp now, WallTime received, const mavlink::FrameView& frame, const mavlink::MessageInfo& message,
                 Outbox<OutgoingMessage>& out);
+  /// A frame that is known to come from somebody else than a vehicle.
+  void on_station_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo& message);
+  /// An alert about a vehicle that the vehicle itself cannot tell.
+  void raise(mavlink::SystemId system, const vehicle::Alert& alert, WallTime wall, Outbox<OutgoingMessage>& out);
   void on_tick(Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
   /// When `on_tick` next has something to do, or earlier.
   [[nodiscard]] Timestamp next_deadline() const { return next_deadline_; }
@@ -80,6 +98,9 @@ class Telemetry {
   Vehicle* vehicle_that_sent(const mavlink::FrameView& frame);
   void send_due(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
   void send_changes(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
+  void send_alerts(Vehicle& vehicle, WallTime wall, Outbox<OutgoingMessage>& out);
+  template <class M>
+  bool send_stream(Vehicle& vehicle, Timestamp now, WallTime wall, Outbox<OutgoingMessage>& out);
   template <class M>
   bool send_news(Vehicle& vehicle, vehicle::Revision since, WallTime wall, Outbox<OutgoingMessage>& out);
   template <class M>

@@ -76,7 +76,8 @@ struct Sent {
 /// A VSM on a link, and a clock that only the test moves.
 class Link {
  public:
-  explicit Link(const TelemetryConfig& config = {}) : profile{config.profile}, telemetry{config} {}
+  explicit Link(const TelemetryConfig& config = {}, const TelemetryRates& rates = {})
+      : profile{config.profile}, telemetry{config, rates} {}
 
   template <class M>
   void say(const M& message, SystemId system = first, ComponentId component = autopilot_one) {
@@ -182,6 +183,54 @@ TEST(Telemetry, MakesOneInertialMessageOfEveryAttitude) {
     EXPECT_EQ(messages[i].roll_rate, 20);
     EXPECT_EQ(messages[i].time_stamp, start_stamp + i * 20);
   }
+}
+
+TEST(Telemetry, ThinsTheAttitudesOfALiveLink) {
+  Link link{{}, live_rates()};
+  for (int i = 0; i < 100; ++i) {  // 50 Hz for two seconds, each with another roll
+    link.say(from::Attitude{.roll = 0.01F * static_cast<float>(i)});
+    link.wait(milliseconds{20});
+  }
+  const auto count = link.all<to::InertialStates>().size();
+  EXPECT_GE(count, 19U);
+  EXPECT_LE(count, 21U);
+}
+
+TEST(Telemetry, TellsUnchangedFieldsOfALiveLinkOnlyOnceInAWhile) {
+  Link link{{}, live_rates()};
+  for (int i = 0; i < 60; ++i) {  // 12 s; only the heading moves
+    link.say(from::Attitude{.roll = 0.5F, .yaw = 0.01F * static_cast<float>(i)});
+    link.wait(milliseconds{200});
+  }
+  const auto messages = link.all<to::InertialStates>();
+  ASSERT_EQ(messages.size(), 60U);
+  EXPECT_EQ(std::ranges::count_if(messages, [](const auto& message) { return message.roll.has_value(); }), 3)
+      << "at the start, and every five seconds";
+  EXPECT_TRUE(std::ranges::all_of(messages, [](const auto& message) { return message.heading.has_value(); }));
+}
+
+TEST(Telemetry, SendsNothingWhereNothingChanges) {
+  Link link{{}, live_rates()};
+  for (int i = 0; i < 20; ++i) {
+    link.say(from::Attitude{.roll = 0.5F});
+    link.wait(milliseconds{200});
+  }
+  EXPECT_EQ(link.all<to::InertialStates>().size(), 1U);
+}
+
+TEST(Telemetry, RaisesAnAlertThatTheVehicleCannotTell) {
+  Link link;
+  link.say(copter);
+  link.forget();
+  link.telemetry.raise(first, {vehicle::Condition::warning, vehicle::Subsystem::comms, Text<79>{"two of them"}},
+                       link.wall(), link.outbox);
+  link.telemetry.raise(second, {vehicle::Condition::warning, vehicle::Subsystem::comms, Text<79>{"nobody"}},
+                       link.wall(), link.outbox);
+  link.collect();
+  const auto alerts = link.all<to::SubsystemStatusAlert>();
+  ASSERT_EQ(alerts.size(), 1U);
+  EXPECT_EQ(link.sent.size(), 1U);
+  EXPECT_EQ(alerts[0].text->view(), "two of them");
 }
 
 TEST(Telemetry, LeavesOutWhatIsNotKnown) {

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "ponte/core/outbox.hpp"
+#include "ponte/mavlink/autopilots/command_long.hpp"
+#include "ponte/mavlink/autopilots/timesync.hpp"
+#include "ponte/mavlink/frame.hpp"
+#include "ponte/sim/config.hpp"
+#include "ponte/sim/flight.hpp"
+#include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/message_rates.hpp"
+#include "ponte/sim/telemetry.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace ponte::sim {
+
+/// The autopilot of one copter, from power-on to power-off: a new one is made for each start. It speaks MAVLink as
+/// ArduCopter does, knows its own sensors only, and tells the copter what to do.
+class Autopilot {
+ public:
+  /// Starts at this time, which is one of a step.
+  Autopilot(const VehicleConfig& config, Timestamp boot);
+
+  /// Before the copter's step: what it has to do.
+  void steer(Copter& copter, Outbox<Frame>& out);
+  /// After the copter's step, at the time of the step: what there is to tell. `step` counts the steps since power-on.
+  void report(Timestamp now, std::uint64_t step, const Copter& copter, Outbox<Frame>& out);
+
+  /// A frame from outside, of a known message and with the right checksum.
+  void on_frame(Timestamp now, const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out);
+
+  /// It was told to start anew, and has said that it will.
+  [[nodiscard]] bool wants_reboot() const { return wants_reboot_; }
+
+ private:
+  using CommandLong = mavlink::autopilots::CommandLong;
+  struct Requester {
+    mavlink::SystemId system;
+    mavlink::ComponentId component;
+  };
+
+  // commands.cpp; the results are of MAV_RESULT.
+  void on_command(const CommandLong& command, Requester requester, Copter& copter, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t execute(const CommandLong& command, Copter& copter, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t arm_or_disarm(const CommandLong& command, Copter& copter, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t take_off(const CommandLong& command, Copter& copter);
+  [[nodiscard]] std::uint8_t set_mode(float base_mode, float custom_mode, Copter& copter, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t enter(FlightMode mode, Copter& copter, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t set_message_interval(const CommandLong& command, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t reboot(const CommandLong& command, const Copter& copter);
+  void acknowledge(std::uint16_t command, std::uint8_t result, Requester requester, Outbox<Frame>& out);
+
+  void request_stream(const mavlink::FrameView& frame);
+  void answer_time(Timestamp now, const mavlink::autopilots::Timesync& request, Outbox<Frame>& out);
+  void ask_time(Timestamp now, Outbox<Frame>& out);
+  void update(const Copter& copter, std::uint64_t step);
+  void tell_progress(Outbox<Frame>& out);
+  void say(std::uint8_t severity, std::string_view text, Outbox<Frame>& out);
+  void send_row(mavlink::MessageId id, Outbox<Frame>& out);
+
+  [[nodiscard]] bool is_for_us(std::uint8_t target_system) const;
+  [[nodiscard]] bool has_just_passed(Duration moment) const;
+
+  VehicleConfig config_;
+  Timestamp boot_;
+  Sensors sensors_;
+  Flight flight_;
+  FrameSender sender_;
+  MessageRates rates_;
+  Snapshot snapshot_;  // of the last step
+  bool wants_reboot_{};
+};
+
+}  // namespace ponte::sim

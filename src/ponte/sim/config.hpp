@@ -1,0 +1,41 @@
+#pragma once
+
+#include "ponte/core/time.hpp"
+#include "ponte/mavlink/frame.hpp"
+#include "ponte/sim/copter.hpp"
+
+#include <cstdint>
+
+namespace ponte::sim {
+
+/// The square that the vehicle flies all by itself, with its first corner at home and the second one north of it.
+struct SquareConfig {
+  Metres side{60};
+  Metres height{20};  ///< above home
+  MetresPerSecond speed{5};
+};
+
+/// One simulated vehicle. Everything that it does follows from this and from what it receives.
+struct VehicleConfig {
+  mavlink::SystemId system{1};
+  mavlink::ComponentId component{1};
+  mavlink::Version version{mavlink::Version::v2};  ///< of what it sends; it understands both
+
+  Position start{radians_from_degrees(-30.06898), radians_from_degrees(-51.12179), Metres{50}};
+  Radians heading{};
+  WallTime power_on{std::chrono::sys_days{std::chrono::year{2026} / 1 / 1} + std::chrono::hours{12}};  ///< UTC
+
+  // After the start of the autopilot, each later than the one before. Arming is refused until there is a position.
+  Duration ready_after{std::chrono::milliseconds{2500}};
+  Duration fix_after{std::chrono::seconds{5}};
+  Duration position_after{std::chrono::seconds{8}};
+
+  CopterConfig copter{};
+  bool fly_square{true};  ///< in GUIDED, once it is armed; otherwise it waits for NAV_TAKEOFF, and holds
+  SquareConfig square{};
+
+  std::uint64_t seed{1};
+  double noise{1};  ///< of the sensors: 0 none, 1 what good ones have
+};
+
+}  // namespace ponte::sim

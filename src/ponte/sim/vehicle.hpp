@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ponte/core/outbox.hpp"
+#include "ponte/core/time.hpp"
+#include "ponte/mavlink/frame.hpp"
+#include "ponte/mavlink/message_info.hpp"
+#include "ponte/sim/autopilot.hpp"
+#include "ponte/sim/config.hpp"
+#include "ponte/sim/copter.hpp"
+#include "ponte/sim/frame_sender.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace ponte::sim {
+
+/// One simulated vehicle: a copter, and an autopilot that speaks MAVLink to whoever listens. It knows no clock and no
+/// socket, allocates nothing, and with the same configuration and the same frames at the same times it sends the same
+/// bytes.
+class Vehicle {
+ public:
+  /// No step and no answer has more frames: an outbox of this capacity, emptied after each call, loses nothing as long
+  /// as the calls come in time.
+  static constexpr std::size_t frames_per_step = 64;
+
+  explicit Vehicle(const VehicleConfig& config);
+
+  // `now` counts from power-on at 0 and never goes back.
+
+  /// A frame from outside, of this known message and with the right checksum.
+  void on_frame(Timestamp now, const mavlink::FrameView& frame, const mavlink::MessageInfo& message,
+                Outbox<Frame>& out);
+  /// Lets the steps go by that are due. After a pause it makes up for all of them.
+  void on_tick(Timestamp now, Outbox<Frame>& out);
+  /// When the next step is due.
+  [[nodiscard]] Timestamp next_deadline() const { return step_at(steps_ + 1); }
+
+  /// What is true at the last step, whatever the sensors say.
+  [[nodiscard]] const CopterState& truth() const { return copter_.state(); }
+  /// The steps that have gone by, `Copter::step_length` each.
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+ private:
+  [[nodiscard]] static Timestamp step_at(std::uint64_t step) {
+    return Timestamp{Copter::step_length * static_cast<std::int64_t>(step)};
+  }
+
+  void step(Outbox<Frame>& out);
+
+  VehicleConfig config_;
+  Copter copter_;
+  std::optional<Autopilot> autopilot_;  // nothing while it starts anew
+  std::uint64_t steps_{};
+  std::uint64_t boot_step_{};
+};
+
+}  // namespace ponte::sim
