@@ -1,5 +1,6 @@
-// The streaming parser over any bytes. The first input byte chooses whether checksums are repaired, the second the
-// sizes of the pieces in which the rest arrives.
+// The streaming parser over any bytes. The first input byte chooses whether checksums are repaired, and from where they
+// are repaired a second time, which makes frames overlap; the second chooses the sizes of the pieces in which the rest
+// arrives.
 
 #include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/dialect.hpp"
@@ -29,11 +30,22 @@ struct Checker : FrameSink {
   void on_frame(const FrameView& frame, const MessageInfo* message) override {
     PONTE_ASSERT(message == autopilots::dialect.find(frame.message));
     PONTE_ASSERT(message == nullptr || checksum_matches(frame, message->crc_extra));
+    PONTE_ASSERT(message != nullptr || shared == 0);
+    PONTE_ASSERT(frame.whole.size() > shared);
     frames.push_back({position, frame.whole.size()});
     go_on(frame.whole);
+    shared = 0;
+  }
+  void on_overlap(std::size_t size) override {
+    PONTE_ASSERT(size > 0 && !frames.empty());
+    PONTE_ASSERT(size < frames.back().size && position == frames.back().offset + frames.back().size);
+    shared = size;
+    position -= size;
+    shared_in_all += size;
+    ++overlaps;
   }
   void on_skipped(Bytes run, SkipReason /*reason*/) override {
-    PONTE_ASSERT(!run.empty());
+    PONTE_ASSERT(!run.empty() && shared == 0);
     go_on(run);
   }
   void go_on(Bytes part) {
@@ -45,6 +57,9 @@ struct Checker : FrameSink {
   Bytes stream;
   std::size_t position{};
   std::vector<Place> frames;
+  std::size_t shared{};  ///< by the frame that comes next and the last one
+  std::size_t shared_in_all{};
+  std::size_t overlaps{};
 };
 
 void check_accounts(const Parser& parser, const Checker& checker) {
@@ -55,7 +70,8 @@ void check_accounts(const Parser& parser, const Checker& checker) {
   std::uint64_t sum = 0;
   for (const auto& frame : checker.frames) sum += frame.size;
   for (const auto skipped : counters.skipped) sum += skipped;
-  PONTE_ASSERT(sum == counters.bytes);
+  PONTE_ASSERT(sum == counters.bytes + checker.shared_in_all);
+  PONTE_ASSERT(counters.overlaps == checker.overlaps);
 }
 
 }  // namespace
@@ -64,7 +80,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto input = std::as_bytes(std::span{data, size});
   if (input.size() < 2) return 0;
   std::vector<std::byte> stream(input.begin() + 2, input.end());
-  if ((u8(input, 0) & 1U) != 0) repair_checksums(stream, autopilots::dialect);
+  if ((u8(input, 0) & 1U) != 0) {
+    repair_checksums(stream, autopilots::dialect);
+    const std::size_t second = u8(input, 0) / 2U;
+    if (second > 0 && second < stream.size())
+      repair_checksums(MutableBytes{stream}.subspan(second), autopilots::dialect);
+  }
 
   Parser whole{autopilots::dialect};
   Checker in_one_piece{stream};

@@ -1,6 +1,9 @@
 #include "common/failure.hpp"
 #include "inspect/inspect.hpp"
+#include "ports/ports.hpp"
+#include "sim/sim.hpp"
 #include "translate/translate.hpp"
+#include "vsm/vsm.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -22,7 +25,10 @@ int main(int argc, char** argv) {
   app.set_config("--config", "", "Read options from a TOML file, [translate] for those of translate");
   app.require_subcommand(1);
   ponte::app::add_inspect(app);
+  ponte::app::add_ports(app);
+  ponte::app::add_sim(app);
   ponte::app::add_translate(app);
+  ponte::app::add_vsm(app);
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());
     return bad_usage;

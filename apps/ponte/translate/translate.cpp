@@ -4,12 +4,12 @@
 #include "common/failure.hpp"
 #include "common/json_line.hpp"
 #include "common/load_file.hpp"
+#include "common/vsm_options.hpp"
 #include "ponte/core/json_text.hpp"
 #include "ponte/dli/datagram.hpp"
 #include "ponte/dli/json.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
 #include "ponte/dli/pcap.hpp"
-#include "ponte/dli/profile_file.hpp"
 #include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/vsm/telemetry.hpp"
 
@@ -29,21 +29,8 @@ struct Options {
   bool json{};
   bool quiet{};
   std::string pcap;
-  std::string edition{"3"};
-  std::string profile;
-  unsigned owning_id{20};
+  VsmOptions vsm;
 };
-
-dli::Profile profile_from(const Options& options) {
-  if (options.profile.empty()) return dli::Profile{options.edition == "3" ? dli::Edition::ed3 : dli::Edition::ed_a};
-  const auto loaded = load_file(options.profile);
-  const std::string_view text{reinterpret_cast<const char*>(loaded.bytes.data()), loaded.bytes.size()};
-  auto profile = dli::parse_profile(text, dli::messages::catalogue);
-  if (!profile)
-    throw Failure{fmt::format("{}:{}: {}{}expected {}", options.profile, profile.error().line, profile.error().key,
-                              profile.error().key.empty() ? "" : ": ", profile.error().expectation)};
-  return *profile;
-}
 
 /// Where the DLI messages go: JSON lines, a capture, and the counts of the summary.
 class Output {
@@ -173,15 +160,12 @@ std::string summary(const Translator& translator, const Output& output, const vs
 }
 
 void run(const Options& options) {
-  if (options.owning_id > 254) throw UsageError{"--owning-id: expected 0 to 254; 255 is reserved"};
-  const auto profile = profile_from(options);
+  const auto config = telemetry_config_from(options.vsm);
+  const auto& profile = config.profile;
   const auto file = load_file(options.file);
   if (file.bytes.empty())
     throw Failure{fmt::format("{}: {}", options.file, file.damage.empty() ? "the file is empty" : file.damage)};
 
-  vsm::TelemetryConfig config;
-  config.profile = profile;
-  config.vsm = dli::EntityId{static_cast<std::uint8_t>(options.owning_id), dli::EntityType::vsm, 1};
   vsm::Telemetry telemetry{config};
   Output output{options, profile};
   Translator translator{telemetry, output};
@@ -208,13 +192,7 @@ void add_translate(CLI::App& app) {
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
   command->add_option("--pcap", options->pcap, "Write the DLI datagrams to a capture for Wireshark");
-  auto* edition = command->add_option("--edition", options->edition, "Edition of the standard")
-                      ->check(CLI::IsMember({"3", "A"}))
-                      ->capture_default_str();
-  command->add_option("--profile", options->profile, "TOML file: edition, checksum, scales that differ")
-      ->excludes(edition);
-  command->add_option("--owning-id", options->owning_id, "Owning code of the ids, e.g. 20 Portugal")
-      ->capture_default_str();
+  add_vsm_options(*command, options->vsm);
   command->add_flag("--quiet", options->quiet, "No summary");
   command->footer("Example:\n  ponte translate tests/recordings/ap_mission_v2_trimmed.tlog.gz --json");
   command->callback([options] { run(*options); });

@@ -9,6 +9,11 @@ namespace {
 /// Unknown frames in a row that are followed to find a proof: as many as fit into an Ethernet packet.
 constexpr int chain_limit = 128;
 
+bool has_expected_length(const FrameView& frame, const MessageInfo& message) {
+  const auto size = frame.payload.size();
+  return frame.version == Version::v1 ? size == message.base_length : size <= message.full_length;
+}
+
 }  // namespace
 
 void Parser::on_bytes(Timestamp now, Bytes bytes, FrameSink& sink) {
@@ -28,7 +33,7 @@ void Parser::on_tick(Timestamp now, FrameSink& sink) {
 }
 
 void Parser::finish(FrameSink& sink) {
-  consume(Bytes{held_}.first(held_size_), held_size_, Ending::end, sink);
+  if (held_size_ > 0) consume(Bytes{held_}.first(held_size_), held_size_, Ending::end, sink);
   held_size_ = 0;
   deadline_.reset();
 }
@@ -38,78 +43,84 @@ void Parser::on_datagram(Bytes datagram, FrameSink& sink) {
   consume(datagram, datagram.size(), Ending::end, sink);
 }
 
-/// Decides on the held bytes with the help of those that have just come. Returns the part of `bytes` that begins with
-/// the first undecided byte; if it is not empty, nothing is held any more.
+/// Decides on the held bytes with the help of those that have just come. Returns the part of `bytes` that is still
+/// needed; if it is not empty, nothing is held any more.
 Bytes Parser::consume_held(Bytes bytes, FrameSink& sink) {
   while (held_size_ > 0 && !bytes.empty()) {
     const std::size_t old_size = held_size_;
     const auto added = std::min({bytes.size(), held_.size() - old_size, max_frame_size});
     std::copy_n(bytes.begin(), added, held_.begin() + held_size_);
     const auto held = Bytes{held_}.first(old_size + added);
-    const auto consumed = consume(held, old_size, Ending::open, sink);
-    if (consumed < old_size) {
-      keep(held.subspan(consumed));
+    const auto done = consume(held, std::max<std::size_t>(old_size, behind_ + 1U), Ending::open, sink);
+    if (done < old_size) {
+      keep(held.subspan(done));
       bytes = bytes.subspan(added);
     } else {
       held_size_ = 0;
-      bytes = bytes.subspan(consumed - old_size);
+      bytes = bytes.subspan(done - old_size);
     }
   }
   return bytes;
 }
 
-/// Decides on frames and skipped bytes from the beginning of `input` until `stop` is reached, or until a decision needs
-/// bytes that are not there. Returns the number of bytes decided on, which exceeds `stop` if a frame does.
+/// Decides on frames and skipped bytes of `input`, whose first `behind_` bytes are decided on already, until `stop` is
+/// reached, or until a decision needs bytes that are not there. Returns the number of bytes that are not needed any
+/// more, which exceeds `stop` if a frame does.
 std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameSink& sink) {
-  std::size_t at = 0;
+  std::size_t at = behind_;
   while (at < stop) {
     const auto rest = input.subspan(at);
     const auto frame = parse_frame(rest);
-    if (!frame && frame.error() == FrameError::not_a_frame) {
-      const auto run = rest.first(find_start(rest.first(stop - at)));
-      skip(run, SkipReason::noise, sink);
-      at += run.size();
+    const auto* message = frame ? index_.find(frame->message) : nullptr;
+    const auto verdict = message != nullptr ? judge_known(*frame, *message)
+                         : frame ? Verdict{judge_unknown(rest, frame->whole.size(), ending), SkipReason::unconfirmed}
+                                 : judge_error(frame.error(), ending);
+    if (verdict.claim == Claim::confirmed) {
+      deliver(*frame, message, 0, sink);
+      at += frame->whole.size();
       continue;
     }
-
-    std::optional<SkipReason> objection;
-    const MessageInfo* message = nullptr;
-    if (!frame) {
-      is_unfinished_ = frame.error() == FrameError::incomplete;
-      if (is_unfinished_ && ending == Ending::open) return at;
-      objection = is_unfinished_ ? SkipReason::truncated : SkipReason::unknown_flag;
-    } else if (message = index_.find(frame->message); message == nullptr) {
-      const auto claim = judge_unknown(rest, frame->whole.size(), ending);
-      is_unfinished_ = claim == Claim::needs_bytes;
-      if (claim == Claim::needs_bytes || claim == Claim::needs_successor) return at;
-      if (claim == Claim::refuted) objection = SkipReason::unconfirmed;
-    } else if (!checksum_matches(*frame, message->crc_extra)) {
-      objection = SkipReason::checksum;
-    } else if (frame->is_signed()) {
-      const auto claim = judge_signature(rest, frame->whole.size(), ending);
-      is_unfinished_ = claim == Claim::needs_bytes;
-      if (is_unfinished_) return at;
-      if (claim == Claim::refuted) objection = SkipReason::truncated;
+    if (verdict.claim != Claim::refuted) {
+      is_unfinished_ = verdict.claim == Claim::needs_bytes;
+      return at - behind_;
     }
 
-    if (objection) {
-      skip(rest.first(1), *objection, sink);
-      ++at;
+    look_back(input, at, ending);
+    if (behind_ > 0) {
+      const std::size_t shared = behind_;
+      const auto overlapping = parse_frame(input.subspan(at - shared));
+      is_unfinished_ = !overlapping;
+      if (is_unfinished_) return at - shared;
+      deliver(*overlapping, index_.find(overlapping->message), shared, sink);
+      at += overlapping->whole.size() - shared;
       continue;
     }
-    sink.on_frame(*frame, message);
-    ++counters_.frames;
-    if (message == nullptr) ++counters_.unknown_frames;
-    counters_.bytes += frame->whole.size();
-    at += frame->whole.size();
+    const auto size = verdict.objection == SkipReason::noise ? find_start(rest.first(stop - at)) : 1;
+    skip(rest.first(size), verdict.objection, sink);
+    at += size;
   }
-  is_unfinished_ = false;
-  return at;
+  // What follows the last frame is not known yet. Of its bytes, those are enough that may begin another one.
+  if (ending != Ending::open) behind_ = 0;
+  look_back(input, at, ending);
+  is_unfinished_ = behind_ > 0;
+  return at - behind_;
 }
 
 void Parser::keep(Bytes tail) {
   std::memmove(held_.data(), tail.data(), tail.size());  // the tail may be a part of the held bytes
   held_size_ = static_cast<std::uint16_t>(tail.size());
+}
+
+/// Delivers a frame whose first `shared` bytes belong to the one before too.
+void Parser::deliver(const FrameView& frame, const MessageInfo* message, std::size_t shared, FrameSink& sink) {
+  if (shared > 0) sink.on_overlap(shared);
+  sink.on_frame(frame, message);
+  const auto size = frame.whole.size();
+  ++counters_.frames;
+  if (message == nullptr) ++counters_.unknown_frames;
+  if (shared > 0) ++counters_.overlaps;
+  counters_.bytes += size - shared;
+  behind_ = static_cast<std::uint16_t>(size);
 }
 
 void Parser::skip(Bytes run, SkipReason reason, FrameSink& sink) {
@@ -118,12 +129,49 @@ void Parser::skip(Bytes run, SkipReason reason, FrameSink& sink) {
   counters_.skipped[static_cast<std::size_t>(reason)] += run.size();
 }
 
-/// Whether the signature at the end of the first `size` bytes of `input` is whole. The checksum does not cover it: if
-/// some of it got lost, the beginning of the next frame has taken its place.
-Parser::Claim Parser::judge_signature(Bytes input, std::size_t size, Ending ending) const {
-  auto at = size - signature_size;
-  const auto claim = look_inside(input, at, size, ending);
-  return ending == Ending::open || claim == Claim::refuted ? claim : Claim::confirmed;
+/// Looks among the `behind_` bytes before `at` for the beginning of a good frame of a known message that ends behind
+/// `at`, and moves `behind_` to the first that is one or that needs more bytes. If there is none, `behind_` becomes 0.
+void Parser::look_back(Bytes input, std::size_t at, Ending ending) {
+  for (; behind_ > 0; --behind_) {
+    behind_ -= static_cast<std::uint16_t>(find_start(input.subspan(at - behind_, behind_)));
+    if (behind_ == 0) return;
+    const auto frame = parse_frame(input.subspan(at - behind_));
+    if (!frame && frame.error() == FrameError::incomplete && ending == Ending::open) return;
+    if (!frame || frame->whole.size() <= behind_) continue;
+    const auto* message = index_.find(frame->message);
+    if (message != nullptr && judge_known(*frame, *message).claim == Claim::confirmed) return;
+  }
+}
+
+/// The message of a frame if it is known and the checksum is right, otherwise nothing.
+const MessageInfo* Parser::find_proven(const FrameView& frame) const {
+  const auto* message = index_.find(frame.message);
+  return message != nullptr && checksum_matches(frame, message->crc_extra) ? message : nullptr;
+}
+
+Parser::Verdict Parser::judge_error(FrameError error, Ending ending) {
+  if (error == FrameError::not_a_frame) return {Claim::refuted, SkipReason::noise};
+  if (error == FrameError::unknown_flag) return {Claim::refuted, SkipReason::unknown_flag};
+  return {ending == Ending::open ? Claim::needs_bytes : Claim::refuted, SkipReason::truncated};
+}
+
+Parser::Verdict Parser::judge_known(const FrameView& frame, const MessageInfo& message) const {
+  if (!checksum_matches(frame, message.crc_extra)) return {Claim::refuted, SkipReason::checksum};
+  // A newer dialect may have extended the message, so an unexpected length alone is no objection.
+  const bool is_expected = has_expected_length(frame, message);
+  if (is_expected && !frame.is_signed()) return {Claim::confirmed, {}};
+  const auto doubtful = is_expected ? frame.signature() : frame.whole.subspan(1);
+  return {holds_frame(doubtful) ? Claim::refuted : Claim::confirmed, SkipReason::truncated};
+}
+
+/// Whether a good frame of a known message lies wholly inside `place`.
+bool Parser::holds_frame(Bytes place) const {
+  for (std::size_t at = 0; at < place.size(); ++at) {
+    at += find_start(place.subspan(at));
+    const auto frame = parse_frame(place.subspan(at));
+    if (frame && find_proven(*frame) != nullptr) return true;
+  }
+  return false;
 }
 
 /// Whether the unknown message in the first `size` bytes of `input` is proven to be one. Whatever is decided from some
@@ -173,8 +221,7 @@ Parser::Claim Parser::look_inside(Bytes window, std::size_t& settled, std::size_
     if (at == end) break;
     if (is_settled) settled = at;
     const auto frame = parse_frame(window.subspan(at));
-    const auto* message = frame ? index_.find(frame->message) : nullptr;
-    if (message != nullptr && checksum_matches(*frame, message->crc_extra)) return Claim::refuted;
+    if (frame && find_proven(*frame) != nullptr) return Claim::refuted;
     if (!frame && frame.error() == FrameError::incomplete && ending != Ending::end) is_settled = false;
   }
   if (!is_settled) return Claim::needs_bytes;

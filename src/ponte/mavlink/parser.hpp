@@ -29,19 +29,22 @@ struct ParserCounters {
   std::uint64_t bytes{};           ///< in frames or skipped; bytes that wait for a decision are not in it yet
   std::uint64_t frames{};          ///< delivered, those of unknown messages included
   std::uint64_t unknown_frames{};  ///< delivered without a known message
+  std::uint64_t overlaps{};        ///< delivered although they begin inside the frame before: at most one is intact
   /// Bytes by reason. Each reason but `noise` takes exactly the one byte of the false start, so it counts false starts.
   std::array<std::uint64_t, skip_reason_count> skipped{};
 
   friend bool operator==(const ParserCounters&, const ParserCounters&) = default;
 };
 
-/// Receives what a parser finds, in the order of the bytes. Every byte fed ends up in exactly one call. Views are valid
-/// during the call only, and the parser must not be fed from within it.
+/// Receives what a parser finds, in the order of the bytes. Every byte fed ends up in exactly one call, but for those
+/// that two frames share. Views are valid during the call only, and the parser must not be fed from within it.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
   /// `message` is nothing if the dialect does not know the message: then the checksum could not be examined.
   virtual void on_frame(const FrameView& frame, const MessageInfo* message) = 0;
+  /// The frame that comes next begins so many bytes before the end of the last one.
+  virtual void on_overlap(std::size_t /*shared*/) {}
   /// One run of bytes may arrive in several calls.
   virtual void on_skipped(Bytes /*run*/, SkipReason /*reason*/) {}
 };
@@ -49,8 +52,12 @@ class FrameSink {
 /// Finds the frames in what one link delivers, as a stream in pieces of any size, or as datagrams.
 ///
 /// - After a false start it goes on with the next byte, so that noise never costs an intact frame.
-/// - A frame of a known message is delivered only with the right checksum. If it is signed, no good frame may begin
-///   inside the signature, which the checksum does not cover.
+/// - A frame of a known message is delivered at once, but only with the right checksum, and only if no other one lies
+///   inside it where none can belong: in the signature, which the checksum does not cover, or anywhere if the length is
+///   none that the message can have.
+/// - A checksum may be right by chance, and a signature may have lost bytes; such a frame takes the first bytes of the
+///   next one along. Therefore, where no good frame follows a frame of a known message, a good one that begins inside
+///   it and ends behind it is delivered too.
 /// - A frame of an unknown message is delivered only if it ends where the datagram ends or where the next good frame
 ///   begins (known with the right checksum, or unknown and proven in this way too), and if no good frame of a known
 ///   message begins inside it. In a stream the proof must be found within `lookahead` bytes.
@@ -61,8 +68,9 @@ class Parser {
  public:
   /// A frame that stays unfinished for so long is a false start.
   static constexpr Duration silence_limit = std::chrono::milliseconds{50};
-  /// From the beginning of a frame of an unknown message, itself included. A parser never holds more bytes than these.
-  static constexpr std::size_t lookahead = 3 * max_frame_size;
+  /// From the beginning of a frame of an unknown message, itself included. A parser never holds more bytes than these
+  /// and the frame before.
+  static constexpr std::size_t lookahead = 2 * max_frame_size;
 
   /// The dialect must outlive the parser.
   explicit Parser(const Dialect& dialect) : index_{dialect} {}
@@ -85,12 +93,21 @@ class Parser {
   /// What is known of the bytes behind those at hand.
   enum class Ending : std::uint8_t { open, silence, end };
   enum class Claim : std::uint8_t { confirmed, refuted, needs_bytes, needs_successor };
+  struct Verdict {
+    Claim claim{};
+    SkipReason objection{};  ///< if it is refuted
+  };
 
   std::size_t consume(Bytes input, std::size_t stop, Ending ending, FrameSink& sink);
   Bytes consume_held(Bytes bytes, FrameSink& sink);
   void keep(Bytes tail);
+  void deliver(const FrameView& frame, const MessageInfo* message, std::size_t shared, FrameSink& sink);
   void skip(Bytes run, SkipReason reason, FrameSink& sink);
-  Claim judge_signature(Bytes input, std::size_t size, Ending ending) const;
+  void look_back(Bytes input, std::size_t at, Ending ending);
+  const MessageInfo* find_proven(const FrameView& frame) const;
+  static Verdict judge_error(FrameError error, Ending ending);
+  Verdict judge_known(const FrameView& frame, const MessageInfo& message) const;
+  bool holds_frame(Bytes place) const;
   Claim judge_unknown(Bytes input, std::size_t size, Ending ending);
   Claim follow(Bytes window, std::size_t& end, Ending ending) const;
   Claim look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending) const;
@@ -102,8 +119,11 @@ class Parser {
   std::uint64_t searched_until_{};
   std::optional<Timestamp> deadline_;
   bool is_unfinished_{};
+  // The bytes before the present position that belong to a frame whose successor is not known yet. They are still at
+  // hand, since another frame may turn out to begin among them.
+  std::uint16_t behind_{};
   std::uint16_t held_size_{};
-  std::array<std::byte, lookahead> held_;  // the bytes not yet decided on, beginning with a start byte
+  std::array<std::byte, max_frame_size + lookahead> held_;  // those bytes, and the ones not yet decided on
 };
 static_assert(sizeof(Parser) < 1024);
 

@@ -1,12 +1,15 @@
 #include "ponte/mavlink/parser.hpp"
 
 #include "ponte/core/hex.hpp"
+#include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/test_messages.hpp"
 #include "support/bytes.hpp"
+#include "support/random.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <optional>
@@ -47,15 +50,54 @@ Buffer unknown_frame(const Buffer& payload) {
   return {out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size.value())};
 }
 
+/// A frame of this message with another length than it has.
+Buffer stretched_frame(const MessageInfo& message, const Buffer& payload) {
+  const auto size = static_cast<std::uint8_t>(payload.size());
+  const MessageInfo info{message.id, "", message.crc_extra, size, size, {}};
+  std::array<std::byte, max_frame_size> out{};
+  const auto written = write_frame({}, info, payload, out);
+  return {out.begin(), out.begin() + static_cast<std::ptrdiff_t>(written.value())};
+}
+
+/// This unsigned frame with a signature, which is not right.
+Buffer with_signature(Buffer frame, const MessageInfo& message) {
+  frame[2] = std::byte{1};
+  const auto end = frame.size() - 2;
+  store_le(&frame[end], crc_of(message.crc_extra, crc_of(Bytes{frame}.first(end).subspan(1))));
+  frame.resize(frame.size() + signature_size);
+  return frame;
+}
+
+/// A HEARTBEAT that has lost a byte of its payload, and has got the right checksum by chance if the first byte of a
+/// MAVLink 2 frame follows.
+Buffer colliding_heartbeat() {
+  const auto& info = testing::Heartbeat::info;
+  Random random{1};
+  while (true) {
+    Buffer payload(info.full_length);
+    random.fill(payload);
+    std::array<std::byte, max_frame_size> out{};
+    const auto size = write_frame({}, info, payload, out);
+    Buffer frame{out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size.value())};
+    frame.erase(frame.begin() + 14);
+    frame.push_back(start_v2);
+    if (!checksum_matches(parse_frame(frame).value(), info.crc_extra)) continue;
+    frame.pop_back();
+    return frame;
+  }
+}
+
 struct Recorder : FrameSink {
   void on_frame(const FrameView& frame, const MessageInfo* message) override {
     frames.push_back(message != nullptr ? std::string{message->name} : "unknown");
     last_address = frame.whole.data();
   }
+  void on_overlap(std::size_t shared) override { shared_bytes += shared; }
   void on_skipped(Bytes run, SkipReason /*reason*/) override { skipped_bytes += run.size(); }
 
   std::vector<std::string> frames;
   std::size_t skipped_bytes{};
+  std::size_t shared_bytes{};
   const std::byte* last_address{};
 };
 
@@ -307,32 +349,147 @@ TEST(UnknownMessage, CountsAtTheEndOfTheStream) {
 
 TEST(UnknownMessage, IsNotWaitedForBeyondTheLookahead) {
   Buffer row;
-  while (row.size() + unknown.size() <= Parser::lookahead) row = row + unknown;
-  const auto count = row.size() / unknown.size();
-  const auto outcome = from_stream(row + unknown + heartbeat);
-  // The proof of the first one lies beyond the lookahead, those of the others do not.
-  EXPECT_EQ(outcome.counters.unknown_frames, count - 1);
+  while (row.size() <= Parser::lookahead) row = row + unknown;
+  const auto outcome = from_stream(row + heartbeat);
+  // From the last ones of the row, the end of their proof is near enough.
+  EXPECT_EQ(outcome.counters.unknown_frames, (Parser::lookahead - heartbeat.size()) / unknown.size());
   EXPECT_EQ(outcome.frames.back(), "HEARTBEAT");
-  EXPECT_EQ(from_datagram(row + unknown + heartbeat).counters.unknown_frames, count + 1) << "a datagram is all there";
+  EXPECT_EQ(from_datagram(row + heartbeat).counters.unknown_frames, row.size() / unknown.size())
+      << "a datagram is all there";
 }
 
 TEST(SignedFrame, CostsNoNextFrameWhenPartOfItsSignatureIsMissing) {
-  for (std::size_t missing = 1; missing < 13; ++missing) {
+  for (std::size_t missing = 1; missing <= signature_size; ++missing) {
     const Buffer cut(heartbeat_signed.begin(), heartbeat_signed.end() - static_cast<std::ptrdiff_t>(missing));
-    EXPECT_THAT(from_stream(cut + attitude).frames, ElementsAre("ATTITUDE")) << missing << " bytes missing";
+    for (const auto& outcome : {from_stream(cut + attitude), from_datagram(cut + attitude)}) {
+      EXPECT_THAT(outcome.frames, ElementsAre("HEARTBEAT", "ATTITUDE")) << missing << " bytes missing";
+      EXPECT_EQ(outcome.counters.overlaps, 1U) << missing << " bytes missing";
+    }
   }
 }
 
-TEST(SignedFrame, IsDeliveredAtOnceUnlessItsSignatureLooksLikeAFrame) {
-  EXPECT_THAT(from_stream(heartbeat_signed).frames, ElementsAre("HEARTBEAT"));
+TEST(SignedFrame, CostsNoFrameThatFitsWhollyIntoThePlaceOfItsSignature) {
+  const Buffer unsigned_part(heartbeat_signed.begin(), heartbeat_signed.end() - signature_size);
+  const auto small = stretched_frame(testing::Attitude::info, bytes("01"));
+  ASSERT_EQ(small.size(), signature_size);
+  EXPECT_THAT(from_stream(unsigned_part + small + heartbeat).frames, ElementsAre("ATTITUDE", "HEARTBEAT"));
+}
+
+TEST(SignedFrame, IsDeliveredAtOnceEvenIfItsSignatureLooksLikeAFrame) {
   auto suspicious = heartbeat_signed;
   suspicious.back() = start_v1;
+  EXPECT_THAT(from_stream(suspicious).frames, ElementsAre("HEARTBEAT"));
+}
+
+TEST(Overlap, CostsNoFrameWhoseFirstByteWasTakenAlong) {
+  const auto stream = colliding_heartbeat() + attitude + heartbeat;
+  for (std::size_t cut = 1; cut <= stream.size(); ++cut) {
+    Parser parser{testing::dialect};
+    Recorder recorder;
+    parser.on_bytes(start, Bytes{stream}.first(cut), recorder);
+    parser.on_bytes(start, Bytes{stream}.subspan(cut), recorder);
+    EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT", "ATTITUDE", "HEARTBEAT")) << "cut at " << cut;
+    EXPECT_EQ(parser.counters().overlaps, 1U);
+    EXPECT_EQ(parser.counters().bytes, stream.size());
+    EXPECT_EQ(recorder.shared_bytes, 1U);
+  }
+}
+
+TEST(Overlap, CostsNoFrameOfAStreamThatComesByteByByte) {
   Parser parser{testing::dialect};
   Recorder recorder;
-  parser.on_bytes(start, suspicious, recorder);
-  EXPECT_THAT(recorder.frames, IsEmpty());
-  parser.on_tick(start + 50ms, recorder);
+  const auto stream = colliding_heartbeat() + attitude + heartbeat;
+  for (const auto& byte : stream) parser.on_bytes(start, {&byte, 1}, recorder);
+  EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT", "ATTITUDE", "HEARTBEAT"));
+  EXPECT_EQ(parser.counters(), from_stream(stream).counters);
+}
+
+TEST(Overlap, CostsNoFrameOfADatagram) {
+  const auto outcome = from_datagram(colliding_heartbeat() + attitude);
+  EXPECT_THAT(outcome.frames, ElementsAre("HEARTBEAT", "ATTITUDE"));
+  EXPECT_EQ(outcome.counters.overlaps, 1U);
+}
+
+TEST(Overlap, MayRepeatItself) {
+  const auto collision = colliding_heartbeat();
+  EXPECT_THAT(from_stream(collision + collision + collision + attitude).frames,
+              ElementsAre("HEARTBEAT", "HEARTBEAT", "HEARTBEAT", "ATTITUDE"));
+}
+
+TEST(Overlap, DelaysNeitherOfTheFrames) {
+  Parser parser{testing::dialect};
+  Recorder recorder;
+  const auto collision = colliding_heartbeat();
+  parser.on_bytes(start, collision + Buffer{start_v2}, recorder);
   EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT"));
+  parser.on_bytes(start, Bytes{attitude}.subspan(1), recorder);
+  EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT", "ATTITUDE"));
+  EXPECT_EQ(parser.next_deadline(), std::nullopt);
+}
+
+TEST(Overlap, WaitsForTheSecondFrameAsForAnyOther) {
+  Parser parser{testing::dialect};
+  Recorder recorder;
+  const auto collision = colliding_heartbeat();
+  parser.on_bytes(start, collision + Buffer(attitude.begin(), attitude.end() - 1), recorder);
+  EXPECT_EQ(parser.next_deadline(), start + 50ms);
+  parser.on_tick(start + 50ms, recorder);
+  EXPECT_EQ(parser.next_deadline(), std::nullopt);
+  parser.on_bytes(start + 60ms, Bytes{attitude}.last(1), recorder);
+  EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT"));
+  EXPECT_EQ(parser.counters().bytes, collision.size() + attitude.size());
+}
+
+TEST(Overlap, IsNotWaitedForBeyondTheSilence) {
+  Parser parser{testing::dialect};
+  Recorder recorder;
+  parser.on_bytes(start, colliding_heartbeat() + Buffer{start_v2}, recorder);
+  EXPECT_EQ(parser.next_deadline(), start + 50ms);
+  parser.on_bytes(start + 50ms, Bytes{attitude}.subspan(1), recorder);
+  EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT"));
+}
+
+TEST(Overlap, IsNotLookedForWhereAGoodFrameFollows) {
+  // The ATTITUDE has its header in the signature, its payload in the header behind that, and its checksum behind that.
+  const auto& info = testing::Everything::info;
+  const auto unfit = stretched_frame(info, bytes("00 00 41"));
+  const auto inner = stretched_frame(testing::Attitude::info, Buffer(unfit.begin(), unfit.begin() + 10));
+  const auto outer = Buffer(heartbeat_signed.begin(), heartbeat_signed.end() - 10) + inner;
+  const auto follower = stretched_frame(info, Buffer(inner.end() - 2, inner.end()) + bytes("41"));
+  const auto stream = Buffer(outer.begin(), outer.end() - 12) + follower;
+  ASSERT_TRUE(std::equal(outer.begin(), outer.end(), stream.begin()));
+
+  const auto outcome = from_stream(stream);
+  EXPECT_THAT(outcome.frames, ElementsAre("HEARTBEAT", "EVERYTHING"));
+  EXPECT_EQ(outcome.counters.overlaps, 0U);
+  EXPECT_THAT(from_datagram(outer).frames, ElementsAre("HEARTBEAT", "ATTITUDE"));
+}
+
+TEST(FrameInside, IsNotDeliveredFromThePayloadOfAGoodFrame) {
+  const auto& info = testing::Statustext::info;
+  const auto carrier = stretched_frame(info, bytes("06") + heartbeat + noise);
+  EXPECT_THAT(from_stream(carrier + noise + attitude).frames, ElementsAre("STATUSTEXT", "ATTITUDE"));
+  EXPECT_THAT(from_stream(with_signature(carrier, info) + noise + attitude).frames,
+              ElementsAre("STATUSTEXT", "ATTITUDE"));
+}
+
+TEST(FrameInside, WinsIfTheLengthIsNoneOfTheMessage) {
+  const auto damaged = stretched_frame(testing::Heartbeat::info, bytes("02 03 51") + attitude + noise);
+  EXPECT_THAT(from_stream(damaged + heartbeat).frames, ElementsAre("ATTITUDE", "HEARTBEAT"));
+  EXPECT_THAT(from_datagram(damaged).frames, ElementsAre("ATTITUDE"));
+}
+
+TEST(FrameInside, WinsAgainstAnOverlapWhoseLengthIsNoneOfTheMessage) {
+  const auto damaged = stretched_frame(testing::Heartbeat::info, bytes("02 03 51") + attitude + noise);
+  const Buffer before(heartbeat_signed.begin(), heartbeat_signed.end() - 10);
+  const auto outcome = from_stream(before + damaged + heartbeat);
+  EXPECT_THAT(outcome.frames, ElementsAre("HEARTBEAT", "ATTITUDE", "HEARTBEAT"));
+  EXPECT_EQ(outcome.counters.overlaps, 0U);
+}
+
+TEST(FrameInside, IsNeededForAnObjectionToALengthThatANewerDialectMayHave) {
+  const auto extended = stretched_frame(testing::Heartbeat::info, bytes("00 00 00 00 02 03 51 04 03 fd fe 01"));
+  EXPECT_THAT(from_stream(extended).frames, ElementsAre("HEARTBEAT"));
 }
 
 }  // namespace

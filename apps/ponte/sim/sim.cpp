@@ -1,0 +1,95 @@
+#include "sim/sim.hpp"
+
+#include "common/endpoint_option.hpp"
+#include "common/failure.hpp"
+#include "ponte/transport/pty.hpp"
+#include "sim/live_vehicle.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+
+namespace ponte::app {
+namespace {
+
+struct Options {
+  std::string endpoint{"udpout://127.0.0.1:14550"};
+  std::string pty;
+  unsigned mavlink{2};
+  unsigned system{1};
+  std::string home;
+  double speedup{1};
+  std::uint64_t seed{1};
+  std::optional<double> arm_after_s;
+};
+
+/// "LAT,LON,ALT" in degrees and metres above sea level.
+sim::Position position_from(const std::string& text) {
+  std::array<double, 3> numbers{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, numbers[i]);
+    const bool last = i + 1 == numbers.size();
+    if (error != std::errc{} || (last ? next != end : next == end || *next != ','))
+      throw UsageError{fmt::format("--home {}: expected LAT,LON,ALT in degrees and metres", text)};
+    at = last ? next : next + 1;
+  }
+  const auto [latitude, longitude, altitude] = numbers;
+  if (!(std::abs(latitude) <= 85 && std::abs(longitude) <= 180 && std::abs(altitude) <= 10'000))
+    throw UsageError{
+        fmt::format("--home {}: expected a latitude of at most 85, a longitude of at most 180 and an "
+                    "altitude of at most 10000",
+                    text)};
+  return {radians_from_degrees(latitude), radians_from_degrees(longitude), Metres{altitude}};
+}
+
+void run(const Options& options) {
+  sim::VehicleConfig config;
+  config.system = mavlink::SystemId{static_cast<std::uint8_t>(options.system)};
+  config.version = options.mavlink == 1 ? mavlink::Version::v1 : mavlink::Version::v2;
+  config.seed = options.seed;
+  config.power_on = transport::Loop::wall();
+  if (!options.home.empty()) config.start = position_from(options.home);
+
+  transport::Loop loop;
+  LiveVehicle vehicle{loop, config, options.speedup};
+  auto link = options.pty.empty() ? transport::open_link(loop, endpoint_from("--endpoint", options.endpoint), vehicle)
+                                  : transport::open_pty(loop, options.pty, vehicle);
+  if (!link) throw Failure{transport::to_text(link.error())};
+  fmt::print(stderr, "a copter, system {}, speaks MAVLink {} on {}\n", options.system, options.mavlink,
+             options.pty.empty() ? options.endpoint : options.pty);
+  vehicle.attach(std::move(*link));
+  if (options.arm_after_s)
+    vehicle.arm_after(std::chrono::duration_cast<Duration>(std::chrono::duration<double>{*options.arm_after_s}));
+  loop.on_signal([&](int) { loop.stop(); });
+  loop.run();
+}
+
+}  // namespace
+
+void add_sim(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("sim", "A simulated copter that speaks MAVLink as ArduCopter does");
+  auto* endpoint = command->add_option("--endpoint", options->endpoint, "Where it speaks")->capture_default_str();
+  command->add_option("--pty", options->pty, "Make a serial port of this name instead, e.g. /tmp/ttyVehicle")
+      ->excludes(endpoint);
+  command->add_option("--mavlink", options->mavlink, "Version on the wire")
+      ->check(CLI::IsMember({1U, 2U}))
+      ->capture_default_str();
+  command->add_option("--system", options->system, "System id")->check(CLI::Range(1U, 255U))->capture_default_str();
+  command->add_option("--home", options->home, "LAT,LON,ALT in degrees and metres above sea level");
+  command->add_option("--speedup", options->speedup, "Times as fast as real time")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of the sensor noise")->capture_default_str();
+  command->add_option("--arm-after", options->arm_after_s,
+                      "Arm it by command after so many seconds; it then climbs and flies squares");
+  command->footer("Example:\n  ponte sim --endpoint udpout://127.0.0.1:14550 --arm-after 10");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace ponte::app
