@@ -70,6 +70,9 @@ class PlacedSink final : public mavlink::FrameSink {
     sink_.on_frame(offset, time, frame, message);
     if (moves) offset += frame.whole.size();
   }
+  void on_overlap(std::size_t shared) override {
+    if (moves) offset -= shared;
+  }
   void on_skipped(Bytes run, mavlink::SkipReason reason) override {
     sink_.on_damage(offset, time, run, app::name_of(reason));
     if (moves) offset += run.size();

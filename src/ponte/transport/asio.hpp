@@ -30,7 +30,7 @@ using error_code = boost::system::error_code;
 inline void spawn(Loop& loop, asio::awaitable<void> coroutine) {
   auto& context = loop.context();
   asio::post(context, [&context, coroutine = std::move(coroutine)]() mutable {
-    asio::co_spawn(context, std::move(coroutine), [](std::exception_ptr exception) {
+    asio::co_spawn(context, std::move(coroutine), [](const std::exception_ptr& exception) {
       if (exception) std::rethrow_exception(exception);
     });
   });

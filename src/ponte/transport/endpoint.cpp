@@ -8,6 +8,7 @@
 #include <charconv>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ponte::transport {
 namespace {
@@ -130,11 +131,7 @@ struct Option {
   Part value;
 };
 
-/// Takes the first option off `rest`, which is nothing after the last.
-Option take_option(std::optional<Part>& rest) {
-  const auto ampersand = rest->text.find('&');
-  const auto whole = rest->first(ampersand);
-  rest = ampersand == std::string_view::npos ? std::nullopt : std::optional{rest->from(ampersand + 1)};
+Option option_of(Part whole) {
   const auto name_size = std::min(whole.text.find('='), whole.text.size());
   return {whole, whole.first(name_size), whole.from(std::min(name_size + 1, whole.text.size()))};
 }
@@ -142,31 +139,35 @@ Option take_option(std::optional<Part>& rest) {
 /// What stands behind the scheme: the place and, behind a question mark, its options.
 struct Body {
   Part place;
-  std::optional<Part> options;
+  std::vector<Option> options{};
 };
 
 Body split_options(Part part, std::size_t question_mark) {
-  if (question_mark == std::string_view::npos) return {part, {}};
-  return {part.first(question_mark), part.from(question_mark + 1)};
+  if (question_mark == std::string_view::npos) return {part};
+  Body body{part.first(question_mark)};
+  auto rest = part.from(question_mark + 1);
+  for (auto end = rest.text.find('&'); end != std::string_view::npos; end = rest.text.find('&')) {
+    body.options.push_back(option_of(rest.first(end)));
+    rest = rest.from(end + 1);
+  }
+  body.options.push_back(option_of(rest));
+  return body;
 }
 
 /// Hands every option to `apply`, which returns what was expected of the value, or nothing when it was right. The
 /// names are all that there are, `expected` tells them to people.
 template <std::size_t Count, class Apply>
-std::optional<EndpointError> read_options(std::optional<Part> options, const std::array<std::string_view, Count>& names,
-                                          const char* expected, Apply apply) {
+Result<void, EndpointError> read_options(const std::vector<Option>& options,
+                                         const std::array<std::string_view, Count>& names, const char* expected,
+                                         Apply apply) {
   std::array<bool, Count> seen{};
-  while (options) {
-    const auto option = take_option(options);
+  for (const auto& option : options) {
     const auto found = std::ranges::find(names, option.name.text);
-    const auto error_at = [](Part part, std::string expectation) {
-      return EndpointError{std::string{part.text}, part.position, std::move(expectation)};
-    };
-    if (found == names.end() || option.name.text == option.whole.text) return error_at(option.whole, expected);
+    if (found == names.end() || option.name.text == option.whole.text) return refuse(option.whole, expected);
     auto& seen_before = seen[static_cast<std::size_t>(found - names.begin())];
-    if (std::exchange(seen_before, true)) return error_at(option.whole, fmt::format("{} only once", *found));
+    if (std::exchange(seen_before, true)) return refuse(option.whole, fmt::format("{} only once", *found));
     const std::string_view wanted = apply(option.name.text, option.value.text);
-    if (!wanted.empty()) return error_at(option.value, std::string{wanted});
+    if (!wanted.empty()) return refuse(option.value, std::string{wanted});
   }
   return {};
 }
@@ -224,8 +225,8 @@ Result<Endpoint, EndpointError> parse_multicast(Part part) {
     return "";
   };
   static constexpr std::array<std::string_view, 3> names{"interface", "ttl", "loopback"};
-  if (auto error = read_options(body.options, names, "interface=NAME, ttl=N or loopback=0|1", apply))
-    return fail(*std::move(error));
+  if (auto read = read_options(body.options, names, "interface=NAME, ttl=N or loopback=0|1", apply); !read)
+    return fail(std::move(read).error());
   return endpoint;
 }
 
@@ -243,7 +244,7 @@ Result<Endpoint, EndpointError> parse_file(Part part) {
     return "";
   };
   static constexpr std::array<std::string_view, 1> names{"speed"};
-  if (auto error = read_options(body.options, names, "speed=N", apply)) return fail(*std::move(error));
+  if (auto read = read_options(body.options, names, "speed=N", apply); !read) return fail(std::move(read).error());
   return endpoint;
 }
 

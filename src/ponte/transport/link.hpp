@@ -76,7 +76,7 @@ struct LinkCounters {
 
 /// What waits to be sent to one peer of a stream.
 struct QueueLimits {
-  std::size_t bytes = 64 * 1024;  ///< a larger message cannot be sent
+  std::size_t bytes = 65'536;  ///< a larger message cannot be sent
   std::size_t messages = 256;
 };
 

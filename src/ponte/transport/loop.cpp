@@ -84,13 +84,13 @@ struct Timer::State : std::enable_shared_from_this<Timer::State> {
   // time and is then prolonged.
   void set(Timestamp when) {
     due = when;
-    if (!waits_until || when < *waits_until) wait();
+    if (!waits_until || when < *waits_until) wait_until(when);
   }
 
-  void wait() {
+  void wait_until(Timestamp when) {
     static constexpr auto longest = std::chrono::hours{24};  // keeps sums away from the end of time
     const auto now = loop.now();
-    waits_until = std::clamp<Timestamp>(*due, now, now + longest);
+    waits_until = std::clamp<Timestamp>(when, now, now + longest);
     timer.expires_after(*waits_until - now);
     auto on_end = [self = shared_from_this(), turn = ++turns](error_code) { self->on_end(turn); };
     timer.async_wait(std::move(on_end));
@@ -101,7 +101,7 @@ struct Timer::State : std::enable_shared_from_this<Timer::State> {
     waits_until.reset();
     if (!due) return;
     const auto now = loop.now();
-    if (*due > now) return wait();
+    if (*due > now) return wait_until(*due);
     due.reset();
     callback(now);
   }
@@ -109,7 +109,8 @@ struct Timer::State : std::enable_shared_from_this<Timer::State> {
   void end() {
     due.reset();
     ++turns;
-    timer.cancel();
+    error_code ignored;
+    timer.cancel(ignored);
   }
 
   Loop& loop;

@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ponte::transport {
@@ -44,7 +45,7 @@ class StreamConnection : public std::enable_shared_from_this<StreamConnection> {
   LinkCounters& counters_;
   SendQueue queue_;
   std::string end_;
-  std::array<std::byte, 16 * 1024> buffer_{};
+  std::array<std::byte, 16'384> buffer_{};
 };
 
 }  // namespace ponte::transport

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <optional>
 #include <utility>
 
 namespace ponte::transport {
@@ -115,7 +116,7 @@ class UdpLink : public SharedLink, public std::enable_shared_from_this<UdpLink> 
   }
 
   std::uint32_t overflow_{};
-  std::array<std::byte, 64 * 1024> buffer_{};
+  std::array<std::byte, 65'536> buffer_{};
 };
 
 /// Hears whoever talks. Answers them, or talks to a group.
@@ -167,7 +168,7 @@ class UdpListener final : public UdpLink {
   }
 
   void forget_the_silent(Timestamp now) {
-    while (const auto peer = peers_.take_silent(now)) {
+    for (auto peer = peers_.take_silent(now); peer; peer = peers_.take_silent(now)) {
       tell_peer(peer->id, PeerChange::left, text_of(peer->address));
       if (closed()) return;
     }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -277,6 +278,14 @@ TEST_F(UdpLinks, MayBeDestroyedByTheirHandler) {
   ASSERT_TRUE(wait_for(loop, [&] { return listener == nullptr; }));
   loop.run_for(5ms);
   EXPECT_THAT(witness.texts(), ElementsAre("one"));
+}
+
+TEST_F(UdpLinks, LetExceptionsOfTheirHandlerOut) {
+  const auto listener = listen();
+  Caller caller{loop, at_port_of("udpout://127.0.0.1", *listener)};
+  caller.link->send(text("one"));
+  witness.and_then = [] { throw std::runtime_error{"the handler failed"}; };
+  EXPECT_THROW(loop.run(), std::runtime_error);
 }
 
 TEST_F(UdpLinks, AreSilentOnceDestroyed) {
