@@ -1,7 +1,7 @@
 // The grammar of endpoints over any text.
 
-#include "ponte/core/assert.hpp"
 #include "ponte/transport/endpoint.hpp"
+#include "ponte/core/assert.hpp"
 
 #include <cstddef>
 #include <cstdint>

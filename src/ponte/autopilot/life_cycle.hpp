@@ -17,8 +17,8 @@ struct LifeCycleSigns {
   vehicle::ModeKind mode{};
 };
 
-/// The phase that the signs add up to. STANDBY means other things in ArduPilot and PX4, and CRITICAL stays after landing
-/// in ArduPilot, so arming and landed state decide before system_status.
+/// The phase that the signs add up to. STANDBY means other things in ArduPilot and PX4, and CRITICAL stays after
+/// landing in ArduPilot, so arming and landed state decide before system_status.
 [[nodiscard]] vehicle::Phase phase_from(const LifeCycleSigns& signs);
 
 }  // namespace ponte::autopilot

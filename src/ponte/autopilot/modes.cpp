@@ -126,8 +126,8 @@ std::uint8_t variant_of(Stack stack, std::uint32_t custom_mode) {
 
 Stack stack_of(std::uint8_t autopilot, std::uint8_t airframe) {
   using namespace mavlink::autopilots;
-  constexpr std::array<std::uint8_t, 8> copters{MAV_TYPE_QUADROTOR, MAV_TYPE_COAXIAL,  MAV_TYPE_HELICOPTER,
-                                                MAV_TYPE_HEXAROTOR, MAV_TYPE_OCTOROTOR, MAV_TYPE_TRICOPTER,
+  constexpr std::array<std::uint8_t, 8> copters{MAV_TYPE_QUADROTOR,   MAV_TYPE_COAXIAL,   MAV_TYPE_HELICOPTER,
+                                                MAV_TYPE_HEXAROTOR,   MAV_TYPE_OCTOROTOR, MAV_TYPE_TRICOPTER,
                                                 MAV_TYPE_DODECAROTOR, MAV_TYPE_DECAROTOR};
   if (autopilot == MAV_AUTOPILOT_PX4) return Stack::px4;
   if (autopilot != MAV_AUTOPILOT_ARDUPILOTMEGA) return Stack::unknown;

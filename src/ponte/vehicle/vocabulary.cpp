@@ -13,8 +13,9 @@ std::string_view look_up(const std::array<std::string_view, Count>& names, E val
 }  // namespace
 
 std::string_view name_of(ModeKind kind) {
-  static constexpr std::array<std::string_view, 11> names{"none", "manual",      "mission",      "hold",        "guided", "land",
-                                         "take_off", "return_home", "smart_return", "vtol_return", "other"};
+  static constexpr std::array<std::string_view, 11> names{"none",         "manual",      "mission",  "hold",
+                                                          "guided",       "land",        "take_off", "return_home",
+                                                          "smart_return", "vtol_return", "other"};
   return look_up(names, kind);
 }
 

@@ -13,17 +13,17 @@ namespace ponte::vehicle {
 
 /// Who decides where the vehicle goes.
 enum class ModeKind : std::uint8_t {
-  none,          ///< initialising, or not known
-  manual,        ///< a pilot's sticks
-  mission,       ///< the uploaded mission
-  hold,          ///< a position or circle is held
-  guided,        ///< a station steers through the autopilot
+  none,     ///< initialising, or not known
+  manual,   ///< a pilot's sticks
+  mission,  ///< the uploaded mission
+  hold,     ///< a position or circle is held
+  guided,   ///< a station steers through the autopilot
   land,
   take_off,
   return_home,   ///< to launch or rally point
   smart_return,  ///< home along the path flown
   vtol_return,
-  other,         ///< the autopilot's own; `variant` tells which
+  other,  ///< the autopilot's own; `variant` tells which
 };
 
 struct Mode {
@@ -42,11 +42,20 @@ enum class Phase : std::uint8_t {
   taking_off,
   in_flight,
   landing,
-  critical,    ///< in the air with a failsafe or emergency
+  critical,  ///< in the air with a failsafe or emergency
 };
 
 enum class Subsystem : std::uint8_t {
-  engine, mechanical, electrical, comms, propulsion_energy, navigation, payload, recovery, environmental, vsm,
+  engine,
+  mechanical,
+  electrical,
+  comms,
+  propulsion_energy,
+  navigation,
+  payload,
+  recovery,
+  environmental,
+  vsm,
 };
 inline constexpr std::size_t subsystem_count = 10;
 
@@ -79,9 +88,9 @@ struct Leg {
 
 /// What the vehicle says it is.
 struct Identity {
-  std::uint8_t autopilot{};      ///< MAV_AUTOPILOT number, for the operator's information only
-  std::uint8_t airframe{};       ///< MAV_TYPE number, likewise
-  Text<15> serial;               ///< of the autopilot hardware; empty: not told
+  std::uint8_t autopilot{};  ///< MAV_AUTOPILOT number, for the operator's information only
+  std::uint8_t airframe{};   ///< MAV_TYPE number, likewise
+  Text<15> serial;           ///< of the autopilot hardware; empty: not told
   friend bool operator==(const Identity&, const Identity&) = default;
 };
 
