@@ -41,13 +41,15 @@ class PeerTable {
     return peers_.emplace_back(Peer{id, address, now});
   }
 
-  /// Takes out one peer that has been silent for the limit; nothing when there is none.
-  [[nodiscard]] std::optional<Peer> take_silent(Timestamp now) {
-    const auto silent = std::ranges::min_element(peers_, {}, &Peer::last_heard);
-    if (silent == peers_.end() || now - silent->last_heard < silence_limit_) return {};
-    auto peer = std::move(*silent);
-    peers_.erase(silent);
-    return peer;
+  /// Takes out the peers that have been silent for the limit.
+  [[nodiscard]] std::vector<Peer> take_silent(Timestamp now) {
+    std::vector<Peer> silent;
+    std::erase_if(peers_, [&](const Peer& peer) {
+      const auto is_silent = now - peer.last_heard >= silence_limit_;
+      if (is_silent) silent.push_back(peer);
+      return is_silent;
+    });
+    return silent;
   }
 
   /// When `take_silent` next has something to give; nothing while nobody is known.

@@ -168,8 +168,8 @@ class UdpListener final : public UdpLink {
   }
 
   void forget_the_silent(Timestamp now) {
-    for (auto peer = peers_.take_silent(now); peer; peer = peers_.take_silent(now)) {
-      tell_peer(peer->id, PeerChange::left, text_of(peer->address));
+    for (const auto& peer : peers_.take_silent(now)) {
+      tell_peer(peer.id, PeerChange::left, text_of(peer.address));
       if (closed()) return;
     }
     silence_.set(peers_.next_deadline());
