@@ -40,6 +40,7 @@ class DliReceiver:
 
     def __init__(self, group: str | None = None) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         self.socket.bind(("127.0.0.1" if group is None else "", 0))
         self.socket.settimeout(PATIENCE_S)
         self.port: int = self.socket.getsockname()[1]
@@ -201,15 +202,15 @@ def test_what_is_unknown_is_absent(start_vsm: Callable[..., None]) -> None:
 
 def test_stations_of_a_group_hear_the_vsm(start_vsm: Callable[..., None]) -> None:
     try:
-        receivers = [DliReceiver(GROUP)]
+        receiver = DliReceiver(GROUP)
     except OSError as error:
         pytest.skip(f"this machine has no multicast on its loopback: {error}")
     carrier = Udp()
-    start_vsm(carrier.endpoint, f"udpmulticast://{GROUP}:{receivers[0].port}?interface=lo")
+    start_vsm(carrier.endpoint, f"udpmulticast://{GROUP}:{receiver.port}?interface=lo")
     vehicle = Vehicle(carrier, dialect_v2)
-    vehicle.appear(receivers[0])
+    vehicle.appear(receiver)
     vehicle.say("attitude", 0, 0.1, 0.2, 0.3, 0.0, 0.0, 0.0)
-    assert raws(receivers[0].next(INERTIAL_STATES))[12] == flight_maths.bam2(struct.unpack("<f", struct.pack("<f", 0.1))[0])
+    assert raws(receiver.next(INERTIAL_STATES))[12] == flight_maths.bam2(struct.unpack("<f", struct.pack("<f", 0.1))[0])
 
 
 def test_the_vehicle_may_go_and_come_back(start_vsm: Callable[..., None]) -> None:

@@ -55,8 +55,13 @@ void FleetSession::on_link_up(Timestamp now, LinkId link) {
   next_heartbeat_ = now;  // autopilots stay silent until they hear a ground station
 }
 
-void FleetSession::on_link_down(LinkId link) {
+void FleetSession::on_link_down(LinkId link, Outbox<FleetFact>& facts) {
   std::erase_if(links_, [&](const Link& entry) { return entry.id == link; });
+  for (auto& vehicle : vehicles_) {
+    if (vehicle.link != link || vehicle.lost) continue;
+    vehicle.lost = true;
+    facts.push({FleetFact::Kind::lost, vehicle.system, vehicle.component, vehicle.link});
+  }
 }
 
 template <mavlink::Message M>

@@ -29,7 +29,7 @@ struct OutgoingFrame {
 struct FleetFact {
   enum class Kind : std::uint8_t {
     appeared,      ///< the first HEARTBEAT of an autopilot
-    lost,          ///< no HEARTBEAT for `loss_limit`
+    lost,          ///< no HEARTBEAT for `loss_limit`, or its link ended
     returned,      ///< HEARTBEAT again after a loss, on the same or another link
     rebooted,      ///< its time since boot went back
     duplicate_id,  ///< another autopilot uses the same system id; it is left out
@@ -65,7 +65,8 @@ class FleetSession {
   explicit FleetSession(FleetConfig config);
 
   void on_link_up(Timestamp now, LinkId link);
-  void on_link_down(LinkId link);
+  /// Vehicles on it are lost at once, so that they may return on another.
+  void on_link_down(LinkId link, Outbox<FleetFact>& facts);
 
   /// A frame with the right checksum. True: it comes from a vehicle that is followed, and should be listened to.
   bool on_frame(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,

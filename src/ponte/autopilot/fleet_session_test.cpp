@@ -52,6 +52,10 @@ class Bench {
     session.on_tick(now, out, facts);
     collect();
   }
+  void take_down(LinkId link) {
+    session.on_link_down(link, facts);
+    collect();
+  }
   void clear() {
     sent.clear();
     told.clear();
@@ -197,6 +201,16 @@ TEST(FleetSession, TellsALossAndAReturnAndAsksAgain) {
   EXPECT_EQ(bench.sent.back().link, cable);
 }
 
+TEST(FleetSession, LetsAVehicleComeBackAtOnceWhenItsLinkHasEnded) {
+  Bench bench;
+  bench.hear(start, copter);
+  bench.clear();
+  bench.take_down(radio);
+  EXPECT_THAT(bench.kinds(), ElementsAre(Kind::lost));
+  EXPECT_TRUE(bench.hear(start + 100ms, copter, 1, cable));
+  EXPECT_THAT(bench.kinds(), ElementsAre(Kind::lost, Kind::returned));
+}
+
 TEST(FleetSession, LeavesOutASecondVehicleWithTheSameIdOnAnotherLink) {
   Bench bench;
   bench.hear(start, copter);
@@ -251,8 +265,8 @@ TEST(FleetSession, AnswersTimesyncRequestsOnly) {
 TEST(FleetSession, WakesUpForTheNextThingToDo) {
   Bench bench;
   EXPECT_EQ(bench.session.next_deadline(), start + 1s);
-  bench.session.on_link_down(radio);
-  bench.session.on_link_down(cable);
+  bench.take_down(radio);
+  bench.take_down(cable);
   bench.hear(start, copter);
   bench.clear();
   bench.tick(start + 10s);

@@ -129,6 +129,7 @@ TEST(Bridge, GoesOnWhenALinkComesBack) {
   EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1)) << "what was still under way";
   bench.bridge.on_link_up(bench.now, radio);
   bench.now += 1s;
+  bench.hear(radio, copter);
   bench.hear(radio, from::Attitude{.roll = 0.2F});
   EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1));
   EXPECT_THAT(bench.bridge.links(), SizeIs(2)) << "a number that comes back replaces the old link";
