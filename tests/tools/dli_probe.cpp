@@ -67,8 +67,8 @@ class Filler {
 
   M fill() {
     M message;
-    M::visit(message, [this](const FieldInfo& field, auto&& member) { set(field, member); });
-    M::visit(message, [this](const FieldInfo& field, auto&& member) { set_length(field, member); });
+    M::visit(message, [this](const FieldInfo& field, auto&& member) { this->set(field, member); });
+    M::visit(message, [this](const FieldInfo& field, auto&& member) { this->set_length(field, member); });
     return message;
   }
 

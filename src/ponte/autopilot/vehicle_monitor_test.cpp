@@ -49,7 +49,7 @@ using vehicle::Subsystem;
 constexpr WallTime start_wall = wall_time_from_unix_us(1'700'000'000'000'000);
 constexpr std::uint8_t disarmed = 81, armed = 209;
 
-constexpr std::uint32_t stabilize = 0, automatic = 3, guided = 4;
+constexpr std::uint32_t automatic = 3, guided = 4;
 constexpr Heartbeat copter{.type = MAV_TYPE_QUADROTOR,
                            .autopilot = MAV_AUTOPILOT_ARDUPILOTMEGA,
                            .base_mode = armed,
