@@ -199,7 +199,10 @@ Buffer hostile_stream(Random& random) {
       for (auto size = random.below(30); size > 0; --size)
         stream.push_back(random.chance(0.5) ? random.byte() : static_cast<std::byte>(0xFD + random.below(2)));
     if (kind == 7) stream.insert(stream.end(), {start_v2, static_cast<std::byte>(random.below(256)), std::byte{0}});
-    if (kind == 8) stream.resize(stream.size() - std::min<std::size_t>(stream.size(), random.below(14)));
+    if (kind == 8) {
+      const auto cut = std::min<std::size_t>(stream.size(), random.below(14));
+      stream.erase(stream.end() - static_cast<std::ptrdiff_t>(cut), stream.end());
+    }
   }
   for (auto& byte : stream)
     if (random.chance(0.003)) byte = random.byte();
