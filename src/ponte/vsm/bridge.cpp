@@ -24,6 +24,8 @@ void Bridge::on_link_up(Timestamp now, LinkId link) {
 
 void Bridge::on_link_down(Timestamp now, WallTime wall, LinkId link) {
   if (auto* ended = enter(now, wall, link)) ended->parser.finish(*this);
+  current_ = nullptr;
+  std::erase_if(links_, [&](const auto& entry) { return entry->id == link; });
   fleet_.on_link_down(link, new_facts_);
   tell_facts(wall);
 }

@@ -45,7 +45,7 @@ class Bridge final : private mavlink::FrameSink {
     mavlink::Parser parser;
     mavlink::LinkStatistics losses;
   };
-  /// What each link delivered, and what was no frame. Ended links stay until their number is used again.
+  /// What each link delivered, and what was no frame, for the links that are up.
   [[nodiscard]] const std::vector<std::unique_ptr<Link>>& links() const { return links_; }
   [[nodiscard]] const autopilot::FleetSession& fleet() const { return fleet_; }
   [[nodiscard]] const Telemetry& telemetry() const { return telemetry_; }

@@ -126,13 +126,27 @@ TEST(Bridge, GoesOnWhenALinkComesBack) {
   bench.hear(radio, copter);
   bench.bridge.on_link_down(bench.now, wall, radio);
   bench.hear(radio, from::Attitude{.roll = 0.1F});
-  EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1)) << "what was still under way";
+  EXPECT_THAT(bench.messages<to::InertialStates>(), IsEmpty());
   bench.bridge.on_link_up(bench.now, radio);
   bench.now += 1s;
   bench.hear(radio, copter);
   bench.hear(radio, from::Attitude{.roll = 0.2F});
   EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1));
-  EXPECT_THAT(bench.bridge.links(), SizeIs(2)) << "a number that comes back replaces the old link";
+  EXPECT_THAT(bench.bridge.links(), SizeIs(2));
+}
+
+// Ended links were kept, and after 256 of them the bridge was deaf to every new one.
+TEST(Bridge, StillHearsAVehicleAfterAThousandReconnections) {
+  Bench bench;
+  for (std::uint16_t number = 10; number < 1010; ++number) {
+    bench.bridge.on_link_up(bench.now, LinkId{number});
+    bench.bridge.on_link_down(bench.now, wall, LinkId{number});
+  }
+  bench.bridge.on_link_up(bench.now, LinkId{2000});
+  bench.hear(LinkId{2000}, copter);
+  bench.hear(LinkId{2000}, from::Attitude{.roll = 0.1F});
+  EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1));
+  EXPECT_THAT(bench.bridge.links(), SizeIs(3));
 }
 
 TEST(Bridge, CountsWhatGetsLostAndWhatIsNoFrame) {
