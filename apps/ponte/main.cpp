@@ -22,7 +22,9 @@ constexpr int bad_usage = 2;
 int main(int argc, char** argv) {
   CLI::App app{"Lets MAVLink vehicles and STANAG 4586 ground stations work together", "ponte"};
   app.set_version_flag("--version", PONTE_VERSION);
-  app.set_config("--config", "", "Read options from a TOML file, [translate] for those of translate");
+  app.set_config("--config", "", "Read options from a TOML file, [vsm] for those of vsm");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.fallthrough();
   app.require_subcommand(1);
   ponte::app::add_inspect(app);
   ponte::app::add_ports(app);
@@ -37,6 +39,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
+  } catch (const CLI::ConfigError& error) {
+    fmt::print(stderr, "ponte: --config: {}; expected [SUBCOMMAND] sections with the names of its options\n",
+               error.what());
+    return bad_usage;
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "ponte: {}\nTry: ponte --help\n", error.what());
     return bad_usage;
