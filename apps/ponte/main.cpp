@@ -1,4 +1,5 @@
 #include "common/failure.hpp"
+#include "demo/demo.hpp"
 #include "inspect/inspect.hpp"
 #include "ports/ports.hpp"
 #include "sim/sim.hpp"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.fallthrough();
   app.require_subcommand(1);
+  ponte::app::add_demo(app);
   ponte::app::add_inspect(app);
   ponte::app::add_ports(app);
   ponte::app::add_sim(app);
