@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import pty
 import re
 import select
+import struct
 import subprocess
+import termios
+import time
 from pathlib import Path
 
 PATIENCE_S = 60.0
@@ -44,12 +48,15 @@ class Window:
 
     def __init__(self, ponte: Path) -> None:
         self.master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", 24, 80, 0, 0))
         self.process = subprocess.Popen([ponte, "demo"], stdin=slave, stdout=slave, stderr=slave)
         os.close(slave)
         self.text = ""
 
     def wait_for(self, pattern: str) -> None:
+        deadline = time.monotonic() + PATIENCE_S
         while not re.search(pattern, self.text):
+            assert time.monotonic() < deadline, f"no {pattern!r} in {self.text[-3000:]}"
             assert select.select([self.master], [], [], PATIENCE_S)[0], f"no {pattern!r} in {self.text[-3000:]}"
             self.text += os.read(self.master, 65536).decode()
 

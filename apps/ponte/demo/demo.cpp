@@ -3,9 +3,9 @@
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
 #include "common/log.hpp"
+#include "common/terminal.hpp"
 #include "common/vsm_options.hpp"
 #include "demo/screen.hpp"
-#include "demo/terminal.hpp"
 #include "demo/two_sides.hpp"
 #include "sim/live_vehicle.hpp"
 #include "vsm/live_vsm.hpp"
@@ -110,6 +110,8 @@ std::string_view objection(const DemoCounts& counts) {
 }
 
 void run(const Options& options) {
+  if (!options.headless && !Terminal::is_there())
+    throw Failure{"ponte demo: this is no terminal; --headless runs without one"};
   vsm::BridgeConfig config;
   config.telemetry = telemetry_config_from(options.vsm);
   config.rates = vsm::TelemetryRates{};

@@ -19,8 +19,11 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t column_width = 49;
-constexpr std::size_t header_bytes_per_line = 10;
+constexpr std::size_t column_width = 39;
+// Where things stand on both sides, from 1.
+constexpr std::size_t angles_line = 9;
+constexpr std::size_t last_line = 15;
+constexpr std::size_t header_bytes_per_line = 8;
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 double microseconds(Duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
@@ -48,20 +51,15 @@ Lines mavlink_side(const AttitudePair& pair) {
                               static_cast<int>(frame->version), frame->whole.size()));
   lines.push_back(fmt::format("system {}, component {}, sequence {}", frame->system.value, frame->component.value,
                               frame->sequence));
-  lines.emplace_back();
   lines.emplace_back("header");
   append_bytes(lines, frame->whole.first(mavlink::header_size(frame->version)));
-  lines.emplace_back();
-  lines.emplace_back();
-  lines.emplace_back();
+  lines.resize(angles_line - 1);
   lines.push_back(fmt::format("{:<6}{:>12}{:>14}", "", "rad", "degrees"));
   for (std::size_t i = 0; i < angle_names.size(); ++i)
     lines.push_back(
         fmt::format("{:<6}{:>12.6f}{:>14.4f}", angle_names[i], pair.radians[i], degrees(double{pair.radians[i]})));
-  lines.emplace_back();
-  lines.emplace_back();
-  lines.emplace_back();
-  lines.push_back(fmt::format("decoded after    {:>10.1f} us", microseconds(pair.decoded)));
+  lines.resize(last_line);
+  lines.push_back(fmt::format("decoded after {:.1f} us", microseconds(pair.decoded)));
   return lines;
 }
 
@@ -78,30 +76,28 @@ Lines dli_side(const AttitudePair& pair, const dli::Profile& profile) {
   PONTE_ASSERT(message.has_value());
   const auto vector = message->data.first(profile.presence_bytes_of(InertialStates::info));
   Lines lines;
-  lines.push_back(fmt::format("#{} {}, Edition {}, {} bytes", message->number.value,
-                              InertialStates::info.name_in(profile.edition), dli::name_of(profile.edition),
-                              whole.size()));
+  lines.push_back(fmt::format("#{} {}, {} bytes", message->number.value, InertialStates::info.name_in(profile.edition),
+                              dli::name_of(profile.edition), whole.size()));
   lines.push_back(fmt::format("from {} to {}", to_text(message->source).view(), to_text(message->destination).view()));
-  lines.emplace_back();
   lines.emplace_back("wrapper");
   append_bytes(lines, whole.first(dli::wrapper_size));
-  lines.emplace_back();
-  lines.push_back(fmt::format("{:<8}{:>7}{:>8}{:>11}{:>13}", "", "BAM", "hex", "x 180 deg", "degrees"));
+  lines.resize(angles_line - 1);
+  lines.push_back(fmt::format("{:<6}{:>7}{:>6}{:>10}{:>10}", "", "BAM", "hex", "x 180 deg", "degrees"));
   for (std::size_t i = 0; i < angle_names.size(); ++i) {
     constexpr double half_turn = 32'768;
     const auto raw = pair.bam[i];
     if (raw)
-      lines.push_back(fmt::format("{:<8}{:>7}{:>8}{:>11.6f}{:>13.4f}", angle_names[i], *raw,
+      lines.push_back(fmt::format("{:<6}{:>7}{:>6}{:>10.6f}{:>10.4f}", angle_names[i], *raw,
                                   fmt::format("{:04x}", static_cast<std::uint16_t>(*raw)), *raw / half_turn,
                                   *raw / half_turn * 180));
     else
-      lines.push_back(fmt::format("{:<8}{:>7}", angle_names[i], "absent"));
+      lines.push_back(fmt::format("{:<6}{:>7}", angle_names[i], "absent"));
   }
   lines.emplace_back();
   lines.push_back(fmt::format("presence  {}", to_hex(vector, " ")));
   lines.push_back(fmt::format("         {}", bits(vector)));
-  lines.push_back(fmt::format("translated after {:>10.1f} us, sent after {:.1f} us", microseconds(pair.translated),
-                              microseconds(pair.sent)));
+  lines.push_back(
+      fmt::format("translated {:.1f} us, sent {:.1f} us", microseconds(pair.translated), microseconds(pair.sent)));
   return lines;
 }
 
@@ -117,14 +113,14 @@ std::string demo_screen(const TwoSides& sides, const DemoStatus& status) {
   if (!status.converts) right = {"conversion is off"};
   const auto& counts = sides.counts();
   std::string text =
-      fmt::format("ponte demo   vehicle on {}   conversion {}\n\n", status.vehicle, status.converts ? "ON" : "OFF");
+      fmt::format("ponte demo   vehicle on {}   conversion {}\n", status.vehicle, status.converts ? "ON" : "OFF");
   text += fmt::format("{:<{}}| {}\n", "MAVLink", column_width, "STANAG 4586");
   text += std::string(column_width, '-') + "+" + std::string(column_width, '-') + "\n";
-  for (std::size_t i = 0; i < std::max({left.size(), right.size(), std::size_t{18}}); ++i)
+  for (std::size_t i = 0; i < std::max({left.size(), right.size(), last_line + 1}); ++i)
     text += fmt::format("{:<{}}| {}\n", i < left.size() ? left[i] : "", column_width, i < right.size() ? right[i] : "");
   text += std::string(2 * column_width + 1, '-') + "\n";
-  text += fmt::format("{} frames, {} attitudes | {} DLI messages | {} compared, {} differ by more than one unit\n",
-                      counts.frames, counts.attitudes, counts.messages, counts.compared, counts.different);
+  text += fmt::format("{} frames, {} attitudes | {} DLI messages | {} compared, {} differ\n", counts.frames,
+                      counts.attitudes, counts.messages, counts.compared, counts.different);
   if (counts.compared > 0)
     text += fmt::format("conversion adds {:.1f} us on average, {:.1f} us at most\n",
                         microseconds(counts.delay_sum) / static_cast<double>(counts.compared),

@@ -13,7 +13,7 @@ struct DemoStatus {
   bool converts{};
 };
 
-/// The whole window as text: MAVLink on the left, STANAG 4586 on the right, lines of at most 100 columns.
+/// The whole window as text: MAVLink on the left, STANAG 4586 on the right, made for 80 columns and 24 lines.
 [[nodiscard]] std::string demo_screen(const TwoSides& sides, const DemoStatus& status);
 
 /// What a run without a window ends with.

@@ -16,7 +16,9 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Replaces what is shown. Lines end with '\n'.
+  /// Whether stdin and stdout are a terminal.
+  [[nodiscard]] static bool is_there();
+  /// Replaces what is shown, as much of it as there is room for. Lines end with '\n' and are ASCII.
   void draw(std::string_view lines);
   /// The next key that was pressed; nothing when there is none.
   [[nodiscard]] std::optional<char> key();
