@@ -33,9 +33,18 @@ class Listener:
     def say(self, datagram: bytes) -> None:
         self.socket.sendto(datagram, self.place)
 
+    def waiting_bytes(self) -> int:
+        """What the inspector has not read yet, by the kernel's table of sockets."""
+        for line in Path("/proc/net/udp").read_text().splitlines()[1:]:
+            _, local, _, _, queues, *_ = line.split()
+            if int(local.split(":")[1], 16) == self.place[1]:
+                return int(queues.split(":")[1], 16)
+        return 0
+
     def lines(self) -> list[dict[str, Any]]:
         """Ends the inspector, and returns what it has to say."""
-        time.sleep(0.5)  # what was sent is on its way; nothing else tells when all has arrived
+        while self.waiting_bytes() > 0:
+            time.sleep(0.01)
         self.process.send_signal(signal.SIGINT)
         out, _ = self.process.communicate(timeout=PATIENCE_S)
         assert self.process.returncode == 0
@@ -62,18 +71,17 @@ def attitude(link: Any, roll: float) -> bytes:
     return frame
 
 
-def dli_heartbeat(ponte: Path, repository: Path) -> bytes:
-    """The first datagram that the VSM says of a recording, whatever it is: read from a capture."""
-    capture = repository / "build" / "inspect_live.pcap"
-    capture.parent.mkdir(exist_ok=True)
+def dli_message(ponte: Path, repository: Path, folder: Path) -> bytes:
+    """The first datagram that the VSM says of a recording, from a capture of it."""
+    capture = folder / "flight.pcap"
     recording = repository / "tests/recordings/ap_mission_v2_trimmed.tlog.gz"
     subprocess.run([ponte, "translate", recording, "--pcap", capture, "--quiet"], check=True)
     data = capture.read_bytes()
     size = int.from_bytes(data[24 + 8 : 24 + 12], "little")
-    return data[40 : 40 + size][-(size - 28) :]
+    return data[40 + 28 : 40 + size]  # behind the headers of file, packet, IP and UDP
 
 
-def test_both_languages_are_counted(listeners: Any, ponte: Path, repository: Path) -> None:
+def test_both_languages_are_counted(listeners: Any, ponte: Path, repository: Path, tmp_path: Path) -> None:
     listener = listeners("--json")
     link = dialect.MAVLink(None, srcSystem=7, srcComponent=1)
     for index in range(10):
@@ -81,7 +89,7 @@ def test_both_languages_are_counted(listeners: Any, ponte: Path, repository: Pat
         if index != 4:  # one is lost
             listener.say(frame)
     listener.say(b"noise")
-    message = dli_heartbeat(ponte, repository)
+    message = dli_message(ponte, repository, tmp_path)
     listener.say(message)
     listener.say(message[:-1] + bytes([message[-1] ^ 0xFF]))  # a wrong checksum
     lines = listener.lines()
@@ -96,11 +104,11 @@ def test_both_languages_are_counted(listeners: Any, ponte: Path, repository: Pat
     assert (of_kind["refused"]["reason"], of_kind["refused"]["count"]) == ("bad checksum", 1)
 
 
-def test_messages_are_printed_as_they_come(listeners: Any, ponte: Path, repository: Path) -> None:
+def test_messages_are_printed_as_they_come(listeners: Any, ponte: Path, repository: Path, tmp_path: Path) -> None:
     listener = listeners("--messages")
     link = dialect.MAVLink(None, srcSystem=7, srcComponent=1)
     listener.say(attitude(link, 0.25))
-    listener.say(dli_heartbeat(ponte, repository))
+    listener.say(dli_message(ponte, repository, tmp_path))
     first, second = listener.lines()
     assert (first["name"], first["fields"]["roll"]) == ("ATTITUDE", 0.25)
     assert second["edition"] == "3"
