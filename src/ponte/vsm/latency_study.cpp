@@ -66,11 +66,15 @@ const std::array<LatencyQuantity, latency_quantity_count>& latency_quantities() 
 
 double microseconds(Duration time) { return static_cast<double>(time.count()) / 1000; }
 
-std::vector<double> series_of(std::span<const Sample> samples, Duration (*of)(const Sample&)) {
+std::vector<double> series_of(const LatencyStudy& study, Duration (*of)(const Sample&)) {
   std::vector<double> series;
-  series.reserve(samples.size());
-  for (const auto& sample : samples) series.push_back(microseconds(of(sample)));
+  series.reserve(study.samples.size());
+  for (const auto& sample : study.samples) series.push_back(microseconds(of(sample)));
   return series;
+}
+
+SeriesSummary summary_of(const LatencyStudy& study, Duration (*of)(const Sample&)) {
+  return summarise(series_of(study, of));
 }
 
 bool passes(const LatencyStudy& study) {
@@ -88,7 +92,7 @@ void append_summary(JsonText& json, const LatencyStudy& study) {
   json.member("limit_ms", std::chrono::duration<double, std::milli>(study.limit).count());
   json.member("pass", passes(study));
   json.key("summary").begin_object();
-  for (const auto& quantity : quantities) append(json, quantity.name, summarise(series_of(study.samples, quantity.of)));
+  for (const auto& quantity : quantities) append(json, quantity.name, summary_of(study, quantity.of));
   json.end_object();
   if (!study.wakeups_late_us.empty()) append(json, "wakeups_late", summarise(study.wakeups_late_us));
   json.key("conditions").begin_object();

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,8 +65,9 @@ struct LatencyStudy {
 [[nodiscard]] double microseconds(Duration time);
 
 /// One time of all samples, in microseconds.
-[[nodiscard]] std::vector<double> series_of(std::span<const LatencySample> samples,
-                                            Duration (*of)(const LatencySample&));
+[[nodiscard]] std::vector<double> series_of(const LatencyStudy& study, Duration (*of)(const LatencySample&));
+/// Of one time, in microseconds. The study has samples.
+[[nodiscard]] SeriesSummary summary_of(const LatencyStudy& study, Duration (*of)(const LatencySample&));
 
 /// Judges the greatest delay, so that a single late sample fails the study: passes if every delay is below the limit,
 /// and there are samples.

@@ -47,7 +47,7 @@ TEST(LatencySample, MayBeFasterConverted) { EXPECT_EQ(second.delay(), -6us); }
 TEST(LatencyQuantities, TellEachTimeOfASample) {
   std::vector<std::pair<std::string_view, double>> values;
   for (const auto& quantity : latency_quantities())
-    values.emplace_back(quantity.name, series_of(std::span{&first, 1}, quantity.of).at(0));
+    values.emplace_back(quantity.name, series_of({.samples = {first}}, quantity.of).at(0));
   using Value = std::pair<std::string_view, double>;
   EXPECT_THAT(values, ElementsAre(Value{"direct", 25}, Value{"converted", 45.5}, Value{"delay", 20.5},
                                   Value{"decode", 5}, Value{"translate", 3}, Value{"send", 7.5},
