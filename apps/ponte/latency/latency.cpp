@@ -35,7 +35,7 @@ struct Options {
   LogOptions log;
 };
 
-Duration duration_from(std::chrono::duration<double> time) { return std::chrono::duration_cast<Duration>(time); }
+Duration duration_from(std::chrono::duration<double> time) { return std::chrono::round<Duration>(time); }
 
 StudyPlan plan_from(const Options& options) {
   StudyPlan plan{.vehicle = endpoint_from("--vehicle", options.vehicle),

@@ -39,7 +39,7 @@ h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; }
 .fail { color: var(--fail); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { border-bottom: 1px solid var(--rule); padding: .2rem .6rem; text-align: right; }
+th, td { border-bottom: 1px solid var(--rule); padding: .2rem .5rem; text-align: right; }
 th { white-space: nowrap; }
 th:first-child, td.text { text-align: left; }
 td.text { color: var(--faint); }
@@ -99,7 +99,7 @@ void append_stages(std::string& html, const LatencyStudy& study) {
     append_row(html, name, quantity.meaning, summary_of(study, quantity.of));
   }
   if (!study.wakeups_late_us.empty())
-    append_row(html, "timer late", "wake-ups for a periodic timer", vsm::summarise(study.wakeups_late_us));
+    append_row(html, "timer late", "wake-ups of the same program", vsm::summarise(study.wakeups_late_us));
   html += table_end;
 }
 

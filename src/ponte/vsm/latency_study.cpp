@@ -14,14 +14,13 @@ using Sample = LatencySample;
 
 constexpr std::array<LatencyQuantity, latency_quantity_count> quantities{{
     {"direct", "receive, decode, present", [](const Sample& s) { return s.direct(); }},
-    {"converted", "the same message: receive, decode, translate, send, present",
-     [](const Sample& s) { return s.converted(); }},
+    {"converted", "the same, and translate, encode, send", [](const Sample& s) { return s.converted(); }},
     {"delay", "converted less direct", [](const Sample& s) { return s.delay(); }},
-    {"decode", "received to decoded", [](const Sample& s) { return s.decoded - s.received; }},
-    {"translate", "decoded to translated and encoded", [](const Sample& s) { return s.translated - s.decoded; }},
-    {"send", "translated to handed to the network", [](const Sample& s) { return s.sent - s.translated; }},
-    {"present_direct", "write out the MAVLink message", [](const Sample& s) { return s.present_direct; }},
-    {"present_converted", "decode and write out the DLI message", [](const Sample& s) { return s.present_converted; }},
+    {"decode", "find the frame, examine its checksum", [](const Sample& s) { return s.decoded - s.received; }},
+    {"translate", "and encode", [](const Sample& s) { return s.translated - s.decoded; }},
+    {"send", "hand to the network", [](const Sample& s) { return s.sent - s.translated; }},
+    {"present_direct", "the MAVLink message", [](const Sample& s) { return s.present_direct; }},
+    {"present_converted", "the DLI message, decoded first", [](const Sample& s) { return s.present_converted; }},
 }};
 
 /// Calls `visit(name, number)` for each figure of a sample, in the order of the columns.

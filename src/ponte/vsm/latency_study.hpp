@@ -39,8 +39,8 @@ struct LatencySample {
 
 /// A time that a sample has: the three of the study, then those that they are made of.
 struct LatencyQuantity {
-  std::string_view name;  ///< e.g. "direct"
-  std::string_view meaning;
+  std::string_view name;     ///< e.g. "direct"
+  std::string_view meaning;  ///< a few words for people, e.g. "receive, decode, present"
   Duration (*of)(const LatencySample&);
 };
 inline constexpr std::size_t latency_quantity_count = 8;
