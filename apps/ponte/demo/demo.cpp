@@ -2,6 +2,7 @@
 
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
+#include "common/local_station.hpp"
 #include "common/log.hpp"
 #include "common/terminal.hpp"
 #include "common/vsm_options.hpp"
@@ -31,27 +32,6 @@ struct Options {
   std::optional<double> seconds;
   VsmOptions vsm;
   LogOptions log;
-};
-
-/// A ground station that only listens.
-class Station final : public transport::LinkHandler {
- public:
-  Station(transport::Loop& loop, TwoSides& sides) : sides_{sides} {
-    auto opened = transport::open_link(loop, transport::UdpInEndpoint{{"127.0.0.1", 0}}, *this);
-    if (!opened) throw Failure{transport::to_text(opened.error())};
-    link_ = std::move(*opened);
-  }
-  [[nodiscard]] transport::Endpoint place() const {
-    return transport::UdpOutEndpoint{{"127.0.0.1", link_->local_port()}};
-  }
-
-  void on_bytes(Timestamp, Bytes bytes, transport::PeerId) override { sides_.on_datagram(bytes); }
-  void on_datagram(Timestamp, Bytes bytes, transport::PeerId) override { sides_.on_datagram(bytes); }
-  void on_state(Timestamp, transport::LinkState, std::string_view) override {}
-
- private:
-  TwoSides& sides_;
-  std::unique_ptr<transport::Link> link_;
 };
 
 /// A simulated copter that waits for the VSM on a port of its own.
@@ -122,7 +102,7 @@ void run(const Options& options) {
   if (!options.headless) log_options.quiet = true;  // lines of a log would tear the window
   LiveVsm vsm{loop, config, make_log(log_options)};
   vsm.observe_crossings([&](const Crossing& crossing) { sides.on_crossing(crossing); });
-  Station station{loop, sides};
+  const LocalStation station{loop, [&](Bytes datagram) { sides.on_datagram(datagram); }};
   vsm.add_dli(station.place());
   for (const auto& text : options.dli) vsm.add_dli(endpoint_from("--dli", text));
   std::optional<DemoVehicle> simulated;
