@@ -48,7 +48,9 @@ int main(int argc, char** argv) {
                error.what());
     return bad_usage;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "ponte: {}\nTry: ponte --help\n", error.what());
+    const auto chosen = app.get_subcommands();
+    fmt::print(stderr, "ponte: {}\nTry: ponte {}--help\n", error.what(),
+               chosen.empty() ? "" : chosen.front()->get_name() + " ");
     return bad_usage;
   } catch (const ponte::app::UsageError& error) {
     fmt::print(stderr, "ponte: {}\n", error.what());
