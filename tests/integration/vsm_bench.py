@@ -108,29 +108,31 @@ class Vehicle:
         self.marks = 0
 
     def frame(self, name: str, *values: Any, by_station: bool = False, **named: Any) -> bytes:
-        """One message, packed; extension fields that the dialect does not have are left out."""
+        """One message, packed."""
         link = self.station if by_station else self.link
-        message_class = getattr(self.dialect, f"MAVLink_{name}_message")
-        known = {key: value for key, value in named.items() if key in message_class.fieldnames}
-        frame = bytes(message_class(*values, **known).pack(link))
+        frame = bytes(getattr(self.dialect, f"MAVLink_{name}_message")(*values, **named).pack(link))
         link.seq = (link.seq + 1) % 256
         return frame
 
     def say(self, name: str, *values: Any, by_station: bool = False, **named: Any) -> None:
         self.carrier.send(self.frame(name, *values, by_station=by_station, **named))
 
-    def can_say(self, name: str) -> bool:
-        """Whether the dialect has the message: MAVLink 1 ends at id 255."""
-        return hasattr(self.dialect, f"MAVLink_{name}_message")
+    def carried(self, sample: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:
+        """What is left of messages in this dialect: MAVLink 1 ends at id 255 and has no extension fields."""
+        classes = {name: getattr(self.dialect, f"MAVLink_{name}_message", None) for name in sample}
+        return {
+            name: {key: value for key, value in values.items() if key in classes[name].fieldnames}
+            for name, values in sample.items()
+            if classes[name]
+        }
 
-    def appear(self, airframe: int = QUADROTOR, autopilot: int = ARDUPILOT) -> None:
-        """Waits for the VSM, whose heartbeat comes once a second, and shows itself until the VSM tells of it."""
+    def appear(self, airframe: int = QUADROTOR, autopilot: int = ARDUPILOT) -> Message:
+        """Waits for the VSM, whose heartbeat comes once a second, and shows itself until the VSM tells of it in a #3."""
         self.receiver.next(16002)
         for _ in range(int(PATIENCE_S)):
             self.say("heartbeat", airframe, autopilot, 81, 0, 3, 3)
             try:
-                self.receiver.next(3, patience_s=1.0)
-                return
+                return self.receiver.next(3, patience_s=1.0)
             except TimeoutError:
                 continue
         pytest.fail("the VSM has not noticed the vehicle")
