@@ -10,7 +10,8 @@ from typing import NamedTuple
 OWN = None  # a mode that only this autopilot has: any number from OWN_FROM on, another one for each
 OWN_FROM = 64
 
-NO_MODE, MANUAL, WAYPOINT, LOITER, AUTOPILOT, AUTOLAND, LAUNCH, RTL, SMART_RTL, QRTL = 0, 2, 11, 12, 15, 19, 21, 32, 33, 34
+NO_MODE, MANUAL, WAYPOINT, LOITER, AUTOPILOT, AUTOLAND, LAUNCH = 0, 2, 11, 12, 15, 19, 21
+RTL, SMART_RTL, QRTL = 32, 33, 34
 
 COPTER = {
     "STABILIZE": (0, MANUAL), "ACRO": (1, MANUAL), "ALT_HOLD": (2, MANUAL), "AUTO": (3, WAYPOINT),
@@ -43,7 +44,8 @@ PX4_MODES = {
     "AUTO.PRECLAND": (px4(4, 9), OWN), "AUTO.VTOL_TAKEOFF": (px4(4, 10), OWN),
     **{f"AUTO.EXTERNAL{n}": (px4(4, 10 + n), OWN) for n in range(1, 9)}, "AUTO.GUIDED_COURSE": (px4(4, 19), OWN),
     "ACRO": (px4(5), MANUAL), "OFFBOARD": (px4(6), AUTOPILOT), "STABILIZED": (px4(7), MANUAL),
-    "RATTITUDE": (px4(8), OWN), "SIMPLE": (px4(9), OWN), "TERMINATION": (px4(10), OWN), "ALTITUDE_CRUISE": (px4(11), OWN),
+    "RATTITUDE": (px4(8), OWN), "SIMPLE": (px4(9), OWN), "TERMINATION": (px4(10), OWN),
+    "ALTITUDE_CRUISE": (px4(11), OWN),
 }  # fmt: skip
 
 

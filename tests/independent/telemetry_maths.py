@@ -1,7 +1,8 @@
 """What #3002, #3009, #3010 and #4000 must hold for given MAVLink values, calculated apart from Ponte.
 
-There is one function for each MAVLink message. It is given the fields of the message (no extension in MAVLink 1) and what other messages have made
-known, and tells of every DLI field that the message is a source of. Raw values are those on the wire in Edition 3.
+There is one function for each MAVLink message. It is given the fields of the message (no extensions in MAVLink 1) and
+what other messages have made known, and tells of every DLI field that the message is a source of. Raw values are those
+on the wire in Edition 3.
 """
 
 from __future__ import annotations
@@ -82,7 +83,8 @@ def attitude(m: Fields, known: Known) -> Iterator[Told]:
 def global_position_int(m: Fields, known: Known) -> Iterator[Told]:
     """Latitude and longitude 0 are what autopilots send before they have a position."""
     has_position = m["lat"] != 0 or m["lon"] != 0
-    fields = flight_maths.position_fields(m["lat"], m["lon"], m["alt"], m["vx"], m["vy"], m["vz"]) if has_position else {}
+    values = [m[name] for name in ("lat", "lon", "alt", "vx", "vy", "vz")]
+    fields = flight_maths.position_fields(*values) if has_position else {}
     facts = {
         2: "latitude", 3: "longitude", 4: "altitude_msl", 5: "altitude_msl",
         6: "north_speed", 7: "east_speed", 8: "down_speed",
@@ -181,8 +183,8 @@ def wind_cov(m: Fields, known: Known) -> Iterator[Told]:
 
 
 def aoa_ssa(m: Fields, known: Known) -> Iterator[Told]:
-    angles = {("angle_of_attack", 2): math.radians(m["AOA"]), ("sideslip", 3): math.radians(m["SSA"])}
-    yield from told("AOA_SSA", AIR, {**angles})
+    angles: dict[tuple[str, int], float | None] = {("angle_of_attack", 2): math.radians(m["AOA"]), ("sideslip", 3): math.radians(m["SSA"])}
+    yield from told("AOA_SSA", AIR, angles)
 
 
 def distance_sensor(m: Fields, known: Known) -> Iterator[Told]:

@@ -96,6 +96,5 @@ def test_every_sensor_bit_fails_once(document: Rows) -> None:
 
 
 def test_every_word_is_said(document: Rows) -> None:
-    texts = [re.findall("[a-z0-9]+", text.lower()) for text in flight_status.TEXTS]
-    said = {next((word for word in (row[0] for row in document["Words in STATUSTEXT"]) if word in text), None) for text in texts}
-    assert said >= {row[0] for row in document["Words in STATUSTEXT"]}
+    words = {row[0] for row in document["Words in STATUSTEXT"]}
+    assert words <= set(re.findall("[a-z0-9]+", " ".join(flight_status.TEXTS).lower()))

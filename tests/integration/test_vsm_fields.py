@@ -3,6 +3,7 @@ independent reader and the independent calculation judge."""
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable, Iterator
 from types import ModuleType
@@ -18,7 +19,7 @@ from programs import seed_or
 from telemetry_maths import RULES, Known, Told
 from telemetry_samples import SOURCES, Batch, batch
 from vsm_bench import ARDUPILOT, DIALECTS, FIXED_WING, GROUP, QUADROTOR
-from vsm_bench import DliReceiver, SerialLine, Tcp, Udp, Vehicle, assert_near, raws
+from vsm_bench import DliReceiver, SerialLine, Tcp, Udp, Vehicle, assert_near, meet, raws
 
 COUNT = 25
 DEFAULT_SEED = 41
@@ -136,3 +137,42 @@ def test_stations_of_a_group_learn_every_field(start_vsm: Callable[..., None], k
     carrier = Udp()
     start_vsm(carrier.endpoint, f"udpmulticast://{GROUP}:{receiver.port}?interface=lo")
     judge(Vehicle(carrier, dialect_v2, receiver), kind)
+
+
+def fields_told(vehicle: Vehicle, number: int) -> set[int]:
+    return {field for message in vehicle.answers() if message.number == number for field in message.fields}
+
+
+@pytest.mark.parametrize("unknown", range(3), ids=["roll", "pitch", "yaw"])
+def test_accelerations_are_absent_without_an_attitude(start_vsm: Callable[..., None], unknown: int) -> None:
+    """Without all three angles nobody knows where north, east and down are, also when they were known before."""
+    vehicle = meet(start_vsm, dialect_v2)
+    accelerations = {9, 10, 11}
+
+    def told_with(*angles: float) -> set[int]:
+        vehicle.say("attitude", 0, *angles, 0.0, 0.0, 0.0)
+        vehicle.say("scaled_imu", 0, 10, 20, -990, 1, 2, 3, 0, 0, 0)
+        vehicle.say("attitude", 0, *angles, 0.0, 0.0, 0.0)
+        return fields_told(vehicle, telemetry_maths.INERTIAL) & accelerations
+
+    partly = [math.nan if index == unknown else 0.1 for index in range(3)]
+    assert told_with(*partly) == set(), "before any attitude"
+    assert told_with(0.1, 0.1, 0.1) == accelerations
+    assert told_with(*partly) == set(), "after a known attitude"
+
+
+@pytest.mark.parametrize("pressure, temperature", [(math.nan, 1500), (900.0, -30_000)], ids=["pressure", "temperature"])
+def test_true_airspeed_is_absent_without_air_data(
+    start_vsm: Callable[..., None], pressure: float, temperature: int
+) -> None:
+    """Without pressure and temperature nobody knows how dense the air is, also when they were known before."""
+    vehicle = meet(start_vsm, dialect_v2)
+
+    def told_with(hectopascals: float, hundredths: int) -> set[int]:
+        vehicle.say("scaled_pressure", 0, hectopascals, 0.0, hundredths)
+        vehicle.say("vfr_hud", 20.0, 20.0, 0, 50, 100.0, 0.0)
+        return fields_told(vehicle, telemetry_maths.AIR) & {4, 5}
+
+    assert told_with(pressure, temperature) == {5}, "before any air data"
+    assert told_with(900.0, 1500) == {4, 5}
+    assert told_with(pressure, temperature) == {5}, "after known air data"

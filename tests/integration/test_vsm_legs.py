@@ -18,14 +18,14 @@ from flight_status import AUTOLAND, LAUNCH
 from flight_status import WAYPOINT as WAYPOINT_MODE
 from programs import seed_or
 from vsm_bench import ARDUPILOT, DIALECTS, FIXED_WING, QUADROTOR
-from vsm_bench import DliReceiver, Udp, Vehicle, assert_near, raws
+from vsm_bench import Vehicle, assert_near, meet, raws
 
 DEFAULT_SEED = 43
 LEG, VEHICLE_ID, MODE_REPORT = 4001, 3, 3001
 AUTO = {QUADROTOR: 3, FIXED_WING: 10}
 GUIDED = 4
 ARMED = 128  # in base_mode
-STATION = (255, 190)
+AUTOPILOT, STATION = (1, 1), (255, 190)  # system and component
 YEAR_2000_MS = 946_684_800_000
 WAYPOINT, TAKE_OFF, LAND, JUMP, CHANGE_SPEED = 16, 22, 21, 177, 178
 OVER_SEA, OVER_HOME, OVER_TERRAIN, NO_PLACE = 0, 3, 10, 2
@@ -52,7 +52,8 @@ def random_mission(r: random.Random) -> list[Item]:
 
     return [
         at(WAYPOINT, OVER_SEA), at(TAKE_OFF, OVER_HOME), at(WAYPOINT, OVER_HOME), Item(CHANGE_SPEED, NO_PLACE),
-        at(WAYPOINT, OVER_SEA), Item(JUMP, NO_PLACE, params=(2.0, -1.0)), at(WAYPOINT, OVER_TERRAIN), at(LAND, OVER_HOME),
+        at(WAYPOINT, OVER_SEA), Item(JUMP, NO_PLACE, params=(2.0, -1.0)), at(WAYPOINT, OVER_TERRAIN),
+        at(LAND, OVER_HOME),
     ]  # fmt: skip
 
 
@@ -80,13 +81,8 @@ def leg(mission: list[Item], reached: int | None, current: int, home_m: float | 
     return fields
 
 
-def meet(start_vsm: Callable[..., None], dialect: ModuleType, airframe: int) -> Vehicle:
-    """A vehicle in AUTO that a VSM has noticed."""
-    receiver = DliReceiver()
-    carrier = Udp()
-    start_vsm(carrier.endpoint, f"udpout://127.0.0.1:{receiver.port}")
-    vehicle = Vehicle(carrier, dialect, receiver)
-    vehicle.appear(airframe)
+def meet_in_auto(start_vsm: Callable[..., None], dialect: ModuleType, airframe: int) -> Vehicle:
+    vehicle = meet(start_vsm, dialect, airframe=airframe)
     vehicle.say("heartbeat", airframe, ARDUPILOT, 1, AUTO[airframe], 3, 3)
     vehicle.answers()
     return vehicle
@@ -94,26 +90,28 @@ def meet(start_vsm: Callable[..., None], dialect: ModuleType, airframe: int) -> 
 
 @pytest.fixture
 def vehicle(start_vsm: Callable[..., None], dialect: ModuleType) -> Vehicle:
-    return meet(start_vsm, dialect, QUADROTOR)
+    return meet_in_auto(start_vsm, dialect, QUADROTOR)
+
+
+def send_items(vehicle: Vehicle, mission: list[Item], target: tuple[int, int], by_station: bool) -> None:
+    vehicle.say("mission_count", *target, len(mission), by_station=by_station)
+    for sequence, item in enumerate(mission):
+        place = (*item.params, 0.0, 0.0, item.x, item.y, item.z)
+        values = (*target, sequence, item.frame, item.command, 0, 1, *place)
+        vehicle.say("mission_item_int", *values, by_station=by_station)
 
 
 def upload(vehicle: Vehicle, mission: list[Item]) -> None:
-    """A ground station gives the mission to the vehicle, or the vehicle gives it to the station: who sends is all."""
-    vehicle.say("mission_count", 1, 1, len(mission), by_station=True)
-    for sequence, item in enumerate(mission):
-        params = (*item.params, 0.0, 0.0)
-        vehicle.say("mission_item_int", 1, 1, sequence, item.frame, item.command, 0, 1, *params, item.x, item.y, item.z, by_station=True)
+    """A ground station gives the mission to the vehicle, which takes it."""
+    send_items(vehicle, mission, AUTOPILOT, by_station=True)
     vehicle.say("mission_ack", *STATION, 0)
 
 
 def download(vehicle: Vehicle, mission: list[Item]) -> None:
-    vehicle.say("mission_request_list", 1, 1, by_station=True)
-    vehicle.say("mission_count", *STATION, len(mission))
-    for sequence, item in enumerate(mission):
-        vehicle.say("mission_request_int", 1, 1, sequence, by_station=True)
-        params = (*item.params, 0.0, 0.0)
-        vehicle.say("mission_item_int", *STATION, sequence, item.frame, item.command, 0, 1, *params, item.x, item.y, item.z)
-    vehicle.say("mission_ack", 1, 1, 0, by_station=True)
+    """A ground station asks for the mission that the vehicle has."""
+    vehicle.say("mission_request_list", *AUTOPILOT, by_station=True)
+    send_items(vehicle, mission, STATION, by_station=False)
+    vehicle.say("mission_ack", *AUTOPILOT, 0, by_station=True)
 
 
 def last_leg(vehicle: Vehicle) -> dict[int, Any]:
@@ -130,7 +128,9 @@ def since_2000_ms() -> float:
 @pytest.mark.parametrize("transfer", [upload, download])
 @pytest.mark.parametrize("with_home", [False, True], ids=["no home", "home known"])
 @DIALECTS
-def test_every_leg_is_told(vehicle: Vehicle, with_home: bool, transfer: Callable[[Vehicle, list[Item]], None]) -> None:
+def test_every_leg_is_told(
+    vehicle: Vehicle, with_home: bool, transfer: Callable[[Vehicle, list[Item]], None]
+) -> None:
     seed = seed_or(DEFAULT_SEED)
     r = random.Random(seed)
     mission = random_mission(r)
@@ -197,9 +197,11 @@ def test_the_mission_has_an_id(vehicle: Vehicle) -> None:
 
 @pytest.mark.parametrize("airframe", [QUADROTOR, FIXED_WING], ids=["copter", "plane"])
 @DIALECTS
-def test_the_mission_decides_what_auto_means(start_vsm: Callable[..., None], dialect: ModuleType, airframe: int) -> None:
+def test_the_mission_decides_what_auto_means(
+    start_vsm: Callable[..., None], dialect: ModuleType, airframe: int
+) -> None:
     """A copter's take-off and a plane's landing are modes of their own in the DLI."""
-    vehicle = meet(start_vsm, dialect, airframe)
+    vehicle = meet_in_auto(start_vsm, dialect, airframe)
     upload(vehicle, random_mission(random.Random(seed_or(DEFAULT_SEED))))
     first, last = (LAUNCH, WAYPOINT_MODE) if airframe == QUADROTOR else (WAYPOINT_MODE, AUTOLAND)
     vehicle.say("heartbeat", airframe, ARDUPILOT, ARMED | 1, AUTO[airframe], 4, 3)

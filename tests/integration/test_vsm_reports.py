@@ -16,7 +16,7 @@ import flight_status
 from dli_reader import Message, identifier
 from programs import seed_or
 from vsm_bench import ARDUPILOT, DIALECTS, FIXED_WING, PX4, QUADROTOR
-from vsm_bench import DliReceiver, Udp, Vehicle, raws
+from vsm_bench import Vehicle, meet, raws
 
 DEFAULT_SEED = 42
 VEHICLE_ID, MODE_REPORT, OPERATING_STATES = 3, 3001, 3002
@@ -27,25 +27,6 @@ STACKS = {
     "PX4": (QUADROTOR, PX4, flight_status.PX4_MODES),
 }
 
-Meet = Callable[..., Vehicle]
-
-
-@pytest.fixture
-def meet(start_vsm: Callable[..., None]) -> Meet:
-    """A vehicle that a VSM has noticed; options are those of the VSM."""
-
-    def start(dialect: ModuleType, *options: str, airframe: int = QUADROTOR, autopilot: int = ARDUPILOT) -> Vehicle:
-        receiver = DliReceiver()
-        carrier = Udp()
-        start_vsm(carrier.endpoint, f"udpout://127.0.0.1:{receiver.port}", *options)
-        vehicle = Vehicle(carrier, dialect, receiver)
-        vehicle.appear(airframe, autopilot)
-        vehicle.answers()
-        return vehicle
-
-    return start
-
-
 def told(messages: list[Message], number: int) -> list[dict[int, Any]]:
     """The fields of all messages of one number, but for their time."""
     found = [raws(message) for message in messages if message.number == number]
@@ -55,9 +36,9 @@ def told(messages: list[Message], number: int) -> list[dict[int, Any]]:
 
 @DIALECTS
 @pytest.mark.parametrize("stack", STACKS)
-def test_every_mode_is_reported(meet: Meet, dialect: ModuleType, stack: str) -> None:
+def test_every_mode_is_reported(start_vsm: Callable[..., None], dialect: ModuleType, stack: str) -> None:
     airframe, autopilot, modes = STACKS[stack]
-    vehicle = meet(dialect, airframe=airframe, autopilot=autopilot)
+    vehicle = meet(start_vsm, dialect, airframe=airframe, autopilot=autopilot)
     own: dict[int, str] = {}
     for name, (custom_mode, wanted) in random.Random(seed_or(DEFAULT_SEED)).sample(list(modes.items()), len(modes)):
         other = modes["AUTO" if autopilot == ARDUPILOT else "AUTO.MISSION"][0]
@@ -88,9 +69,9 @@ def subsystem_of(vehicle: Vehicle, bits: dict[str, int]) -> dict[int, int]:
 
 @DIALECTS
 @pytest.mark.parametrize("armed", [False, True], ids=["disarmed", "armed"])
-def test_every_sensor_bit_reaches_its_subsystem(meet: Meet, dialect: ModuleType, armed: bool) -> None:
+def test_every_sensor_bit_reaches_its_subsystem(start_vsm: Callable[..., None], dialect: ModuleType, armed: bool) -> None:
     """One sensor after the other fails and recovers; then sensors at random are fitted, enabled and healthy."""
-    vehicle = meet(dialect)
+    vehicle = meet(start_vsm, dialect)
     vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 128 if armed else 0, 0, 3, 3)
     seed = seed_or(DEFAULT_SEED)
     source = random.Random(seed)
@@ -99,7 +80,8 @@ def test_every_sensor_bit_reaches_its_subsystem(meet: Meet, dialect: ModuleType,
     cases = [(everything, everything, everything)]
     for bit in known_bits:
         cases += [(everything, everything, everything & ~(1 << bit)), (everything, everything, everything)]
-    cases += [(everything & source.getrandbits(33), everything & source.getrandbits(33), source.getrandbits(33)) for _ in range(40)]
+    for _ in range(40):
+        cases.append((everything & source.getrandbits(33), everything & source.getrandbits(33), source.getrandbits(33)))
     now: dict[int, int] = {}
     for present, enabled, health in cases:
         in_use = 1 << flight_status.EXTENDED_BITS_USED
@@ -111,13 +93,25 @@ def test_every_sensor_bit_reaches_its_subsystem(meet: Meet, dialect: ModuleType,
         assert now == wanted, f"PONTE_SEED={seed}: {bits}"
 
 
+@DIALECTS
+def test_a_state_of_emergency_is_a_condition_of_the_vehicle(start_vsm: Callable[..., None], dialect: ModuleType) -> None:
+    vehicle = meet(start_vsm, dialect)
+    for system_status, wanted in ((5, flight_status.WARNING), (6, flight_status.EMERGENCY)):
+        vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 129, 0, system_status, 3)
+        (report,) = told(vehicle.answers(), SUBSYSTEM_REPORT)
+        assert report[3] == wanted
+    vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 129, 0, 4, 3)
+    (report,) = told(vehicle.answers(), SUBSYSTEM_REPORT)
+    assert report[3] <= flight_status.NOMINAL
+
+
 def alerts(vehicle: Vehicle) -> list[dict[int, Any]]:
     return told(vehicle.answers(), ALERT)
 
 
 @DIALECTS
-def test_every_text_becomes_an_alert(meet: Meet, dialect: ModuleType) -> None:
-    vehicle = meet(dialect)
+def test_every_text_becomes_an_alert(start_vsm: Callable[..., None], dialect: ModuleType) -> None:
+    vehicle = meet(start_vsm, dialect)
     seen: dict[int, str] = {}
     for index, (text, subsystem) in enumerate(flight_status.TEXTS.items()):
         severity = index % 7
@@ -138,8 +132,8 @@ def test_every_text_becomes_an_alert(meet: Meet, dialect: ModuleType) -> None:
     assert alerts(vehicle) == []
 
 
-def test_long_texts_are_put_together_and_cut(meet: Meet) -> None:
-    vehicle = meet(dialect_v2)
+def test_long_texts_are_put_together_and_cut(start_vsm: Callable[..., None]) -> None:
+    vehicle = meet(start_vsm, dialect_v2)
     text = "".join(chr(ord("a") + index % 26) for index in range(120))
     for chunk in range(3):
         vehicle.say("statustext", 4, text[50 * chunk : 50 * chunk + 50].encode(), 7, chunk)
@@ -157,8 +151,8 @@ def autopilot_version(vehicle: Vehicle, serial: int) -> dict[str, Any]:
 
 
 @DIALECTS
-def test_a_vehicle_tells_who_it_is(meet: Meet, dialect: ModuleType) -> None:
-    vehicle = meet(dialect, "--owning-id", "26", "--vsm-id", "77", "--vehicle-type", "32", "--call-sign", "ROOK 1")
+def test_a_vehicle_tells_who_it_is(start_vsm: Callable[..., None], dialect: ModuleType) -> None:
+    vehicle = meet(start_vsm, dialect, "--owning-id", "26", "--vsm-id", "77", "--vehicle-type", "32", "--call-sign", "ROOK 1")
     names = set()
     for serial in (1, 2):
         vehicle.say("autopilot_version", **autopilot_version(vehicle, serial))
@@ -171,16 +165,15 @@ def test_a_vehicle_tells_who_it_is(meet: Meet, dialect: ModuleType) -> None:
     assert len(names - {""}) == 2, "each serial number is a tail number of its own"
 
 
-def test_a_configured_tail_number_wins(meet: Meet) -> None:
-    vehicle = meet(dialect_v2, "--tail-number", "PT-001")
+def test_a_configured_tail_number_wins(start_vsm: Callable[..., None]) -> None:
+    vehicle = meet(start_vsm, dialect_v2, "--tail-number", "PT-001")
     vehicle.say("autopilot_version", **autopilot_version(vehicle, 1))
-    vehicle.answers()
-    assert raws(vehicle.appear())[7] == "PT-001"
+    assert told(vehicle.answers(), VEHICLE_ID)[-1][7] == "PT-001"
 
 
-def test_samples_carry_the_autopilots_time(meet: Meet) -> None:
+def test_samples_carry_the_autopilots_time(start_vsm: Callable[..., None]) -> None:
     """SYSTEM_TIME ties time since boot to UTC; a time stamp is in milliseconds since 2000."""
-    vehicle = meet(dialect_v2)
+    vehicle = meet(start_vsm, dialect_v2)
     year_2000 = 946_684_800_000
     seed = seed_or(DEFAULT_SEED)
     source = random.Random(seed)
@@ -194,8 +187,8 @@ def test_samples_carry_the_autopilots_time(meet: Meet) -> None:
         assert abs(stamp - (offset_ms + boot_ms - year_2000)) <= 1, f"PONTE_SEED={seed}"
 
 
-def test_a_silent_vehicle_has_no_mode_and_raises_alerts(meet: Meet) -> None:
-    vehicle = meet(dialect_v2)
+def test_a_silent_vehicle_has_no_mode_and_raises_alerts(start_vsm: Callable[..., None]) -> None:
+    vehicle = meet(start_vsm, dialect_v2)
     vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 81, 3, 3, 3)
     vehicle.answers()
     heard = vehicle.receiver.until(

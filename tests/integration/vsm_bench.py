@@ -44,7 +44,7 @@ class DliReceiver:
             self.socket.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
 
     def until(self, is_last: Callable[[Message], bool], patience_s: float = PATIENCE_S) -> list[Message]:
-        """All messages up to the first one that is the last. The patience ends a test that would hang; it judges no speed."""
+        """All messages up to the one that is the last. The patience ends a test that would hang; it judges no speed."""
         heard: list[Message] = []
         deadline = time.monotonic() + patience_s
         while not heard or not is_last(heard[-1]):
@@ -127,7 +127,7 @@ class Vehicle:
         }
 
     def appear(self, airframe: int = QUADROTOR, autopilot: int = ARDUPILOT) -> Message:
-        """Waits for the VSM, whose heartbeat comes once a second, and shows itself until the VSM tells of it in a #3."""
+        """Waits for the VSM's heartbeat, once a second, and shows itself until the VSM tells of it in a #3."""
         self.receiver.next(16002)
         for _ in range(int(PATIENCE_S)):
             self.say("heartbeat", airframe, autopilot, 81, 0, 3, 3)
@@ -143,6 +143,23 @@ class Vehicle:
         text = f"answered {self.marks}"
         self.say("statustext", 6, text.encode())
         return self.receiver.until(lambda message: message.number == 16000 and message.fields[12].raw == text)[:-1]
+
+
+def meet(
+    start_vsm: Callable[..., None],
+    dialect: ModuleType,
+    *options: str,
+    airframe: int = QUADROTOR,
+    autopilot: int = ARDUPILOT,
+) -> Vehicle:
+    """A vehicle on UDP that a VSM has noticed, with all read that was said of it at first; options are the VSM's."""
+    receiver = DliReceiver()
+    carrier = Udp()
+    start_vsm(carrier.endpoint, f"udpout://127.0.0.1:{receiver.port}", *options)
+    vehicle = Vehicle(carrier, dialect, receiver)
+    vehicle.appear(airframe, autopilot)
+    vehicle.answers()
+    return vehicle
 
 
 def raws(message: Message) -> dict[int, Any]:
