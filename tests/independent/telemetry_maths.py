@@ -183,8 +183,8 @@ def wind_cov(m: Fields, known: Known) -> Iterator[Told]:
 
 
 def aoa_ssa(m: Fields, known: Known) -> Iterator[Told]:
-    angles: dict[tuple[str, int], float | None] = {("angle_of_attack", 2): math.radians(m["AOA"]), ("sideslip", 3): math.radians(m["SSA"])}
-    yield from told("AOA_SSA", AIR, angles)
+    attack, sideslip = math.radians(m["AOA"]), math.radians(m["SSA"])
+    yield from told("AOA_SSA", AIR, {("angle_of_attack", 2): attack, ("sideslip", 3): sideslip})
 
 
 def distance_sensor(m: Fields, known: Known) -> Iterator[Told]:

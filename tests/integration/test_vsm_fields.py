@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
@@ -17,9 +17,9 @@ from dli_reader import Message
 from flight_status import AV_STATES, Life
 from programs import seed_or
 from telemetry_maths import RULES, Known, Told
-from telemetry_samples import SOURCES, Batch, batch
+from telemetry_samples import SOURCES, batch
 from vsm_bench import ARDUPILOT, DIALECTS, FIXED_WING, GROUP, QUADROTOR
-from vsm_bench import DliReceiver, SerialLine, Tcp, Udp, Vehicle, assert_near, meet, raws
+from vsm_bench import DliReceiver, SerialLine, StartVsm, Tcp, Udp, Vehicle, assert_near, meet, raws
 
 COUNT = 25
 DEFAULT_SEED = 41
@@ -120,7 +120,7 @@ def judge(vehicle: Vehicle, kind: str) -> None:
 @DIALECTS
 @pytest.mark.parametrize("carrier_type", [Udp, Tcp, SerialLine])
 def test_every_field_is_told_or_absent(
-    start_vsm: Callable[..., None], carrier_type: type, dialect: ModuleType, kind: str
+    start_vsm: StartVsm, carrier_type: type, dialect: ModuleType, kind: str
 ) -> None:
     receiver = DliReceiver()
     carrier = carrier_type()
@@ -129,7 +129,7 @@ def test_every_field_is_told_or_absent(
 
 
 @pytest.mark.parametrize("kind", SOURCES)
-def test_stations_of_a_group_learn_every_field(start_vsm: Callable[..., None], kind: str) -> None:
+def test_stations_of_a_group_learn_every_field(start_vsm: StartVsm, kind: str) -> None:
     try:
         receiver = DliReceiver(GROUP)
     except OSError as error:
@@ -144,7 +144,7 @@ def fields_told(vehicle: Vehicle, number: int) -> set[int]:
 
 
 @pytest.mark.parametrize("unknown", range(3), ids=["roll", "pitch", "yaw"])
-def test_accelerations_are_absent_without_an_attitude(start_vsm: Callable[..., None], unknown: int) -> None:
+def test_accelerations_are_absent_without_an_attitude(start_vsm: StartVsm, unknown: int) -> None:
     """Without all three angles nobody knows where north, east and down are, also when they were known before."""
     vehicle = meet(start_vsm, dialect_v2)
     accelerations = {9, 10, 11}
@@ -163,7 +163,7 @@ def test_accelerations_are_absent_without_an_attitude(start_vsm: Callable[..., N
 
 @pytest.mark.parametrize("pressure, temperature", [(math.nan, 1500), (900.0, -30_000)], ids=["pressure", "temperature"])
 def test_true_airspeed_is_absent_without_air_data(
-    start_vsm: Callable[..., None], pressure: float, temperature: int
+    start_vsm: StartVsm, pressure: float, temperature: int
 ) -> None:
     """Without pressure and temperature nobody knows how dense the air is, also when they were known before."""
     vehicle = meet(start_vsm, dialect_v2)

@@ -18,7 +18,7 @@ from flight_status import AUTOLAND, LAUNCH
 from flight_status import WAYPOINT as WAYPOINT_MODE
 from programs import seed_or
 from vsm_bench import ARDUPILOT, DIALECTS, FIXED_WING, QUADROTOR
-from vsm_bench import Vehicle, assert_near, meet, raws
+from vsm_bench import StartVsm, Vehicle, assert_near, meet, raws
 
 DEFAULT_SEED = 43
 LEG, VEHICLE_ID, MODE_REPORT = 4001, 3, 3001
@@ -81,7 +81,7 @@ def leg(mission: list[Item], reached: int | None, current: int, home_m: float | 
     return fields
 
 
-def meet_in_auto(start_vsm: Callable[..., None], dialect: ModuleType, airframe: int) -> Vehicle:
+def meet_in_auto(start_vsm: StartVsm, dialect: ModuleType, airframe: int) -> Vehicle:
     vehicle = meet(start_vsm, dialect, airframe=airframe)
     vehicle.say("heartbeat", airframe, ARDUPILOT, 1, AUTO[airframe], 3, 3)
     vehicle.answers()
@@ -89,7 +89,7 @@ def meet_in_auto(start_vsm: Callable[..., None], dialect: ModuleType, airframe: 
 
 
 @pytest.fixture
-def vehicle(start_vsm: Callable[..., None], dialect: ModuleType) -> Vehicle:
+def vehicle(start_vsm: StartVsm, dialect: ModuleType) -> Vehicle:
     return meet_in_auto(start_vsm, dialect, QUADROTOR)
 
 
@@ -198,7 +198,7 @@ def test_the_mission_has_an_id(vehicle: Vehicle) -> None:
 @pytest.mark.parametrize("airframe", [QUADROTOR, FIXED_WING], ids=["copter", "plane"])
 @DIALECTS
 def test_the_mission_decides_what_auto_means(
-    start_vsm: Callable[..., None], dialect: ModuleType, airframe: int
+    start_vsm: StartVsm, dialect: ModuleType, airframe: int
 ) -> None:
     """A copter's take-off and a plane's landing are modes of their own in the DLI."""
     vehicle = meet_in_auto(start_vsm, dialect, airframe)

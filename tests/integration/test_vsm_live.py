@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import random
 import struct
-from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
@@ -18,7 +17,8 @@ from pymavlink.dialects.v20 import ardupilotmega as dialect_v2
 import flight_maths
 from programs import seed_or
 from test_random_attitudes import random_attitude
-from vsm_bench import DIALECTS, GROUP, PATIENCE_S, DliReceiver, SerialLine, Tcp, Udp, Vehicle, assert_near, raws
+from vsm_bench import DIALECTS, GROUP, PATIENCE_S
+from vsm_bench import DliReceiver, SerialLine, StartVsm, Tcp, Udp, Vehicle, assert_near, raws
 
 COUNT = 100
 DEFAULT_SEED = 40
@@ -29,7 +29,7 @@ AIR_AND_GROUND = 3009
 @DIALECTS
 @pytest.mark.parametrize("carrier_type", [Udp, Tcp, SerialLine])
 def test_telemetry_becomes_dli_messages(
-    start_vsm: Callable[..., None], carrier_type: type, dialect: ModuleType
+    start_vsm: StartVsm, carrier_type: type, dialect: ModuleType
 ) -> None:
     seed = seed_or(DEFAULT_SEED)
     source = random.Random(seed)
@@ -59,7 +59,7 @@ def test_telemetry_becomes_dli_messages(
         assert_near(INERTIAL_STATES, got, wanted, where)
 
 
-def test_what_is_unknown_is_absent(start_vsm: Callable[..., None]) -> None:
+def test_what_is_unknown_is_absent(start_vsm: StartVsm) -> None:
     receiver = DliReceiver()
     carrier = Udp()
     start_vsm(carrier.endpoint, f"udpout://127.0.0.1:{receiver.port}")
@@ -74,7 +74,7 @@ def test_what_is_unknown_is_absent(start_vsm: Callable[..., None]) -> None:
     assert (got[10], got[11]) == (6000, 20)
 
 
-def test_stations_of_a_group_hear_the_vsm(start_vsm: Callable[..., None]) -> None:
+def test_stations_of_a_group_hear_the_vsm(start_vsm: StartVsm) -> None:
     try:
         receiver = DliReceiver(GROUP)
     except OSError as error:
@@ -87,7 +87,7 @@ def test_stations_of_a_group_hear_the_vsm(start_vsm: Callable[..., None]) -> Non
     assert raws(receiver.next(INERTIAL_STATES))[12] == flight_maths.bam2(struct.unpack("<f", struct.pack("<f", 0.1))[0])
 
 
-def test_the_vehicle_may_go_and_come_back(start_vsm: Callable[..., None]) -> None:
+def test_the_vehicle_may_go_and_come_back(start_vsm: StartVsm) -> None:
     """A TCP peer that closes its connection: the VSM connects again, and goes on."""
     receiver = DliReceiver()
     carrier = Tcp()

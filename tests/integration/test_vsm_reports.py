@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import random
 import time
-from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
@@ -16,7 +15,7 @@ import flight_status
 from dli_reader import Message, identifier
 from programs import seed_or
 from vsm_bench import ARDUPILOT, DIALECTS, FIXED_WING, PX4, QUADROTOR
-from vsm_bench import Vehicle, meet, raws
+from vsm_bench import StartVsm, Vehicle, meet, raws
 
 DEFAULT_SEED = 42
 VEHICLE_ID, MODE_REPORT, OPERATING_STATES = 3, 3001, 3002
@@ -36,7 +35,7 @@ def told(messages: list[Message], number: int) -> list[dict[int, Any]]:
 
 @DIALECTS
 @pytest.mark.parametrize("stack", STACKS)
-def test_every_mode_is_reported(start_vsm: Callable[..., None], dialect: ModuleType, stack: str) -> None:
+def test_every_mode_is_reported(start_vsm: StartVsm, dialect: ModuleType, stack: str) -> None:
     airframe, autopilot, modes = STACKS[stack]
     vehicle = meet(start_vsm, dialect, airframe=airframe, autopilot=autopilot)
     own: dict[int, str] = {}
@@ -69,7 +68,7 @@ def subsystem_of(vehicle: Vehicle, bits: dict[str, int]) -> dict[int, int]:
 
 @DIALECTS
 @pytest.mark.parametrize("armed", [False, True], ids=["disarmed", "armed"])
-def test_every_sensor_bit_reaches_its_subsystem(start_vsm: Callable[..., None], dialect: ModuleType, armed: bool) -> None:
+def test_every_sensor_bit_reaches_its_subsystem(start_vsm: StartVsm, dialect: ModuleType, armed: bool) -> None:
     """One sensor after the other fails and recovers; then sensors at random are fitted, enabled and healthy."""
     vehicle = meet(start_vsm, dialect)
     vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 128 if armed else 0, 0, 3, 3)
@@ -94,7 +93,7 @@ def test_every_sensor_bit_reaches_its_subsystem(start_vsm: Callable[..., None], 
 
 
 @DIALECTS
-def test_a_state_of_emergency_is_a_condition_of_the_vehicle(start_vsm: Callable[..., None], dialect: ModuleType) -> None:
+def test_a_state_of_emergency_is_a_condition_of_the_vehicle(start_vsm: StartVsm, dialect: ModuleType) -> None:
     vehicle = meet(start_vsm, dialect)
     for system_status, wanted in ((5, flight_status.WARNING), (6, flight_status.EMERGENCY)):
         vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 129, 0, system_status, 3)
@@ -110,7 +109,7 @@ def alerts(vehicle: Vehicle) -> list[dict[int, Any]]:
 
 
 @DIALECTS
-def test_every_text_becomes_an_alert(start_vsm: Callable[..., None], dialect: ModuleType) -> None:
+def test_every_text_becomes_an_alert(start_vsm: StartVsm, dialect: ModuleType) -> None:
     vehicle = meet(start_vsm, dialect)
     seen: dict[int, str] = {}
     for index, (text, subsystem) in enumerate(flight_status.TEXTS.items()):
@@ -132,7 +131,7 @@ def test_every_text_becomes_an_alert(start_vsm: Callable[..., None], dialect: Mo
     assert alerts(vehicle) == []
 
 
-def test_long_texts_are_put_together_and_cut(start_vsm: Callable[..., None]) -> None:
+def test_long_texts_are_put_together_and_cut(start_vsm: StartVsm) -> None:
     vehicle = meet(start_vsm, dialect_v2)
     text = "".join(chr(ord("a") + index % 26) for index in range(120))
     for chunk in range(3):
@@ -151,8 +150,9 @@ def autopilot_version(vehicle: Vehicle, serial: int) -> dict[str, Any]:
 
 
 @DIALECTS
-def test_a_vehicle_tells_who_it_is(start_vsm: Callable[..., None], dialect: ModuleType) -> None:
-    vehicle = meet(start_vsm, dialect, "--owning-id", "26", "--vsm-id", "77", "--vehicle-type", "32", "--call-sign", "ROOK 1")
+def test_a_vehicle_tells_who_it_is(start_vsm: StartVsm, dialect: ModuleType) -> None:
+    identity = ("--owning-id", "26", "--vsm-id", "77", "--vehicle-type", "32", "--call-sign", "ROOK 1")
+    vehicle = meet(start_vsm, dialect, *identity)
     names = set()
     for serial in (1, 2):
         vehicle.say("autopilot_version", **autopilot_version(vehicle, serial))
@@ -165,13 +165,13 @@ def test_a_vehicle_tells_who_it_is(start_vsm: Callable[..., None], dialect: Modu
     assert len(names - {""}) == 2, "each serial number is a tail number of its own"
 
 
-def test_a_configured_tail_number_wins(start_vsm: Callable[..., None]) -> None:
+def test_a_configured_tail_number_wins(start_vsm: StartVsm) -> None:
     vehicle = meet(start_vsm, dialect_v2, "--tail-number", "PT-001")
     vehicle.say("autopilot_version", **autopilot_version(vehicle, 1))
     assert told(vehicle.answers(), VEHICLE_ID)[-1][7] == "PT-001"
 
 
-def test_samples_carry_the_autopilots_time(start_vsm: Callable[..., None]) -> None:
+def test_samples_carry_the_autopilots_time(start_vsm: StartVsm) -> None:
     """SYSTEM_TIME ties time since boot to UTC; a time stamp is in milliseconds since 2000."""
     vehicle = meet(start_vsm, dialect_v2)
     year_2000 = 946_684_800_000
@@ -187,7 +187,7 @@ def test_samples_carry_the_autopilots_time(start_vsm: Callable[..., None]) -> No
         assert abs(stamp - (offset_ms + boot_ms - year_2000)) <= 1, f"PONTE_SEED={seed}"
 
 
-def test_a_silent_vehicle_has_no_mode_and_raises_alerts(start_vsm: Callable[..., None]) -> None:
+def test_a_silent_vehicle_has_no_mode_and_raises_alerts(start_vsm: StartVsm) -> None:
     vehicle = meet(start_vsm, dialect_v2)
     vehicle.say("heartbeat", QUADROTOR, ARDUPILOT, 81, 3, 3, 3)
     vehicle.answers()

@@ -30,6 +30,8 @@ QUADROTOR, FIXED_WING = 2, 1  # MAV_TYPE
 ARDUPILOT, PX4 = 3, 12  # MAV_AUTOPILOT
 DIALECTS = pytest.mark.parametrize("dialect", [dialect_v1, dialect_v2], ids=["mavlink1", "mavlink2"])
 
+StartVsm = Callable[..., None]  # the fixture of conftest.py: where vehicles are, where stations are, options
+
 
 class DliReceiver:
     """A UDP socket that datagrams of the VSM arrive on, one message each."""
@@ -146,7 +148,7 @@ class Vehicle:
 
 
 def meet(
-    start_vsm: Callable[..., None],
+    start_vsm: StartVsm,
     dialect: ModuleType,
     *options: str,
     airframe: int = QUADROTOR,
