@@ -6,15 +6,16 @@ probes that only tests use, PONTE_SEED replaces the seed of the random tests.
 
 from __future__ import annotations
 
+import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "independent"))
 
-from programs import PONTE_DEFAULT, REPOSITORY, program_from  # noqa: E402
+from programs import HANG_LIMIT_S, PONTE_DEFAULT, REPOSITORY, program_from  # noqa: E402
 
 
 @pytest.fixture(scope="session")
@@ -33,3 +34,19 @@ def ponte() -> Path:
 def probe() -> Callable[[str], Path]:
     """Gives the path of a probe by its name."""
     return lambda name: program_from("PONTE_TOOLS", name, None)
+
+
+@pytest.fixture
+def start_vsm(ponte: Path) -> Iterator[Callable[..., None]]:
+    """Starts the VSM between two endpoints, and ends it after the test."""
+    running: list[subprocess.Popen[bytes]] = []
+
+    def start(vehicle: str, dli: str, *options: str) -> None:
+        command = [ponte, "vsm", "--vehicle", vehicle, "--dli", dli, "--every-sample", "--listen-only", *options]
+        running.append(subprocess.Popen([str(part) for part in command]))
+
+    yield start
+    for process in running:
+        assert process.poll() is None, f"the VSM has ended by itself with {process.returncode}"
+        process.terminate()
+        assert process.wait(HANG_LIMIT_S) == 0
