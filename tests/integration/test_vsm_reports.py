@@ -144,7 +144,7 @@ def autopilot_version(vehicle: Vehicle, serial: int) -> dict[str, Any]:
     """AUTOPILOT_VERSION of the hardware with this serial number."""
     versions = dict.fromkeys("flight_sw_version middleware_sw_version os_sw_version board_version".split(), 0)
     custom = {f"{part}_custom_version": [0] * 8 for part in ("flight", "middleware", "os")}
-    hardware = {"vendor_id": 0, "product_id": 0, "uid": serial << 32, "uid2": [serial] + [0] * 17}
+    hardware = {"vendor_id": 0, "product_id": 0, "uid": serial, "uid2": [serial] + [0] * 17}
     sample = {"autopilot_version": {"capabilities": 0, **versions, **custom, **hardware}}
     return vehicle.carried(sample)["autopilot_version"]
 

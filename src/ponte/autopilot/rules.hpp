@@ -19,6 +19,14 @@ inline constexpr double standard_sea_level_density = 1.225;   ///< kg/m^3
 inline constexpr double smallest_cosine_of_pitch = 0.05;
 /// An attitude older than this says nothing about an acceleration.
 inline constexpr std::chrono::milliseconds attitude_lifetime{500};
+/// Pressure and temperature older than this say nothing about the air.
+inline constexpr std::chrono::seconds air_lifetime{5};
+
+/// Whether the facts are known from one sample, taken no longer than `lifetime` before or after `at`. A sample that
+/// leaves one of them out makes the others newer than it.
+[[nodiscard]] bool known_together(WallTime at, Duration lifetime, const auto& first, const auto&... others) {
+  return first && std::chrono::abs(at - first.at()) <= lifetime && ((others && others.at() == first.at()) && ...);
+}
 
 /// A float, or nothing when it is NaN or infinite; times `factor`.
 template <class Q>
@@ -144,10 +152,11 @@ inline constexpr Rule indicated_airspeed{
     }};
 
 inline constexpr Rule true_airspeed{
-    "airspeed sqrt(1.225 R T / p) from pressure and temperature; nothing without them",
+    "airspeed sqrt(1.225 R T / p) from pressure and temperature of one sample; nothing without them, or after 5 s",
     [](const MappingContext& context, float airspeed) -> std::optional<MetresPerSecond> {
       const auto& [state, at] = context;
-      if (!airspeed_is_told(context, airspeed) || !state.static_pressure || !state.air_temperature) return std::nullopt;
+      if (!airspeed_is_told(context, airspeed)) return std::nullopt;
+      if (!known_together(at, air_lifetime, state.static_pressure, state.air_temperature)) return std::nullopt;
       const double density =
           state.static_pressure.value().value / (gas_constant_of_dry_air * state.air_temperature.value().value);
       return MetresPerSecond{double{airspeed} * std::sqrt(standard_sea_level_density / density)};
@@ -203,8 +212,7 @@ enum class Axis : std::uint8_t { north, east, down };
 [[nodiscard]] inline std::optional<MetresPerSecondSquared> earth_acceleration(const MappingContext& context, Axis axis,
                                                                               double x, double y, double z) {
   const auto& [state, at] = context;
-  if (!state.roll || !state.pitch || !state.heading) return std::nullopt;
-  if (std::chrono::abs(at - state.roll.at()) > attitude_lifetime) return std::nullopt;
+  if (!known_together(at, attitude_lifetime, state.roll, state.pitch, state.heading)) return std::nullopt;
   const double roll = state.roll.value().value;
   const double pitch = state.pitch.value().value;
   const double heading = state.heading.value().value;

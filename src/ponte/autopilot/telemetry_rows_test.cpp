@@ -260,6 +260,12 @@ void add_sensors(Cases& all) {
     all.add(earth[axis], pushed_ahead, "nose east", to_the_east[axis], attitude(0, 0, pi / 2));
     all.add(earth[axis], pushed_ahead, "no attitude", nothing);
     all.add(earth[axis], pushed_ahead, "old attitude", nothing, attitude(0, 0, 0, milliseconds{501}));
+    for (const auto angle : {&State::roll, &State::pitch, &State::heading}) {
+      auto partly = attitude(0.1, 0.1, 0.1);  // the newest attitude left this angle out
+      partly.*angle = {};
+      all.add(earth[axis], pushed_ahead, "never a whole attitude", nothing,
+              with(partly, angle, Radians{0.1}, milliseconds{20}));
+    }
     all.add(earth[axis], imu, "no attitude", nothing);
     all.add(earth[axis], imu, "old attitude", nothing, attitude(0, 0, 0, milliseconds{501}));
   }
@@ -284,6 +290,13 @@ void add_air(Cases& all) {
   all.add(&State::true_airspeed, hud, "temperature not known", nothing, high);
   with(high, &State::air_temperature, Kelvins{268.65});
   all.add(&State::true_airspeed, hud, "at 3000 m", 23.215983, high);
+  auto without_pressure = high;  // the newest sample left the pressure out
+  with(without_pressure, &State::air_temperature, Kelvins{268.65}, milliseconds{-20});
+  all.add(&State::true_airspeed, hud, "pressure of an older sample", nothing, without_pressure);
+  State old;
+  with(old, &State::static_pressure, Pascals{70108.5}, milliseconds{5001});
+  with(old, &State::air_temperature, Kelvins{268.65}, milliseconds{5001});
+  all.add(&State::true_airspeed, hud, "old air", nothing, old);
   all.add(&State::true_airspeed, VfrHud{.airspeed = nan}, "NaN", nothing, high);
   all.add(&State::true_airspeed, still, "no sensor", nothing, high);
   all.add(&State::true_airspeed, hud, "pressure not known", nothing);

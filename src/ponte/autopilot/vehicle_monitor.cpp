@@ -82,6 +82,9 @@ SensorBits sensor_bits(const messages::SysStatus& status) {
   return bits;
 }
 
+/// What there is room for: the low digits tell vehicles apart.
+Text<15> last_digits(std::string_view digits) { return Text<15>{digits.substr(digits.size() - 15)}; }
+
 }  // namespace
 
 void VehicleMonitor::on_message(Timestamp now, WallTime received, const mavlink::FrameView& frame,
@@ -187,7 +190,7 @@ void VehicleMonitor::on_autopilot_version(const Moment& moment, const mavlink::F
   if (has_uid2)
     identity.serial = std::string_view{to_hex(std::as_bytes(std::span{version.uid2}))};
   else if (version.uid != 0)
-    identity.serial = std::string_view{fmt::format("{:016x}", version.uid)};
+    identity.serial = last_digits(fmt::format("{:016x}", version.uid));
   state_.identity.learn(identity, moment);
 }
 

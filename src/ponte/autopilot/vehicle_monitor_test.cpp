@@ -278,7 +278,7 @@ TEST(VehicleMonitor, TellsTheMissionOnBoardAsLongAsThereIsOne) {
 TEST(VehicleMonitor, TellsTheSerialNumberOfTheHardware) {
   Flight flight;
   flight.say(AutopilotVersion{.uid = 0x0123456789ABCDEF});
-  EXPECT_EQ(flight.state().identity.value().serial, Text<15>{"0123456789abcde"});
+  EXPECT_EQ(flight.state().identity.value().serial, Text<15>{"123456789abcdef"});
   AutopilotVersion version{};
   version.uid2 = {0x10, 0x20, 0x30};
   flight.say(version);
