@@ -2,7 +2,7 @@
 #include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/parser.hpp"
 #include "ponte/mavlink/test_messages.hpp"
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
 
 #include <gtest/gtest.h>
 
