@@ -39,20 +39,20 @@ struct Altitude {
 // What a vehicle is to do. An absent place is where the vehicle then is; an absent yaw is the vehicle's own choice.
 
 struct TakeOffItem {
-  std::optional<Place> place;
-  Altitude altitude;
+  std::optional<Place> place{};
+  Altitude altitude{};
   Radians minimum_pitch{};  ///< of a fixed wing while it climbs
-  std::optional<Radians> yaw;
+  std::optional<Radians> yaw{};
   friend bool operator==(const TakeOffItem&, const TakeOffItem&) = default;
 };
 
 struct WaypointItem {
-  Place place;
-  Altitude altitude;
+  Place place{};
+  Altitude altitude{};
   Seconds dwell{};             ///< how long to stay there
   Metres acceptance_radius{};  ///< reached when this near; 0: the vehicle's own
   Metres pass_radius{};        ///< passed at this distance, positive clockwise; 0: flown through
-  std::optional<Radians> yaw;
+  std::optional<Radians> yaw{};
   friend bool operator==(const WaypointItem&, const WaypointItem&) = default;
 };
 
@@ -66,19 +66,19 @@ struct Unlimited {
 
 /// Circles, or hovers where the vehicle can.
 struct LoiterItem {
-  std::optional<Place> place;
-  Altitude altitude;
-  std::variant<Unlimited, Turns, Seconds> lasts;
-  Metres radius{};             ///< positive clockwise; 0: the vehicle's own
-  std::optional<Radians> yaw;  ///< only of an unlimited one
+  std::optional<Place> place{};
+  Altitude altitude{};
+  std::variant<Unlimited, Turns, Seconds> lasts{};
+  Metres radius{};               ///< positive clockwise; 0: the vehicle's own
+  std::optional<Radians> yaw{};  ///< only of an unlimited one
   friend bool operator==(const LoiterItem&, const LoiterItem&) = default;
 };
 
 struct LandItem {
-  std::optional<Place> place;
-  Altitude altitude;        ///< of the ground, or of the approach; 0 where it is not known
+  std::optional<Place> place{};
+  Altitude altitude{};      ///< of the ground, or of the approach; 0 where it is not known
   Metres abort_altitude{};  ///< to climb to when landing is given up; 0: the vehicle's own
-  std::optional<Radians> yaw;
+  std::optional<Radians> yaw{};
   friend bool operator==(const LandItem&, const LandItem&) = default;
 };
 
@@ -92,7 +92,7 @@ enum class SpeedKind : std::uint8_t { air, ground, climb, descent };
 struct SpeedItem {
   SpeedKind kind{};
   MetresPerSecond speed{};
-  std::optional<Percent> throttle;  ///< absent: unchanged
+  std::optional<Percent> throttle{};  ///< absent: unchanged
   friend bool operator==(const SpeedItem&, const SpeedItem&) = default;
 };
 
@@ -104,8 +104,8 @@ struct DelayItem {
 
 /// Goes on with another item.
 struct JumpItem {
-  std::size_t target{};                ///< index in `Mission::items`, from 0
-  std::optional<std::uint16_t> times;  ///< absent: for ever
+  std::size_t target{};                  ///< index in `Mission::items`, from 0
+  std::optional<std::uint16_t> times{};  ///< absent: for ever
   friend bool operator==(const JumpItem&, const JumpItem&) = default;
 };
 
@@ -133,7 +133,7 @@ struct LookAtItem {
     Altitude altitude;
     friend bool operator==(const Target&, const Target&) = default;
   };
-  std::optional<Target> target;
+  std::optional<Target> target{};
   friend bool operator==(const LookAtItem&, const LookAtItem&) = default;
 };
 
@@ -158,26 +158,26 @@ using Action = std::variant<TakeOffItem, WaypointItem, LoiterItem, LandItem, Ret
                             CameraDistanceItem, TakePicturesItem, StopPicturesItem, LookAtItem, GimbalItem, OtherItem>;
 
 struct MissionItem {
-  Action action;
-  bool waits{};      ///< the vehicle stops after it until it is told to go on
-  std::string name;  ///< for people; empty: none
+  Action action{};
+  bool waits{};        ///< the vehicle stops after it until it is told to go on
+  std::string name{};  ///< for people; empty: none
   friend bool operator==(const MissionItem&, const MissionItem&) = default;
 };
 
 struct Home {
-  Place place;
+  Place place{};
   Metres altitude_msl{};
   friend bool operator==(const Home&, const Home&) = default;
 };
 
 struct FencePolygon {
-  std::vector<Place> corners;  ///< at least 3; the last is joined to the first
-  bool inclusion{true};        ///< the vehicle stays inside; false: outside
+  std::vector<Place> corners{};  ///< at least 3; the last is joined to the first
+  bool inclusion{true};          ///< the vehicle stays inside; false: outside
   friend bool operator==(const FencePolygon&, const FencePolygon&) = default;
 };
 
 struct FenceCircle {
-  Place centre;
+  Place centre{};
   Metres radius{};
   bool inclusion{true};
   friend bool operator==(const FenceCircle&, const FenceCircle&) = default;
@@ -185,8 +185,8 @@ struct FenceCircle {
 
 /// A place to return to instead of home.
 struct RallyPoint {
-  Place place;
-  Altitude altitude;
+  Place place{};
+  Altitude altitude{};
   friend bool operator==(const RallyPoint&, const RallyPoint&) = default;
 };
 
@@ -194,22 +194,23 @@ struct RallyPoint {
 struct Pattern {
   std::size_t first{};  ///< index of its first item in `Mission::items`
   std::size_t count{};  ///< how many items it made; 0 where its file does not tell
-  std::string kind;     ///< "survey", "CorridorScan", ...
-  std::string text;     ///< in the file's own language
+  std::string kind{};   ///< "survey", "CorridorScan", ...
+  std::string text{};   ///< in the file's own language
   friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 
 struct Mission {
-  std::optional<Home> home;
-  std::vector<MissionItem> items;
-  std::vector<Pattern> patterns;  ///< by their first items, none overlapping
-  std::vector<FencePolygon> fence_polygons;
-  std::vector<FenceCircle> fence_circles;
-  std::vector<RallyPoint> rally_points;
-  std::optional<MetresPerSecond> cruise_speed;  ///< of a fixed wing
-  std::optional<MetresPerSecond> hover_speed;   ///< of a copter
-  std::uint8_t autopilot{};                     ///< MAV_AUTOPILOT, for a ground station's information; 0: any
-  std::uint8_t airframe{};                      ///< MAV_TYPE, likewise
+  std::optional<Home> home{};
+  std::vector<MissionItem> items{};
+  std::vector<Pattern> patterns{};  ///< by their first items, none overlapping
+  std::vector<FencePolygon> fence_polygons{};
+  std::vector<FenceCircle> fence_circles{};
+  std::optional<RallyPoint> fence_return{};  ///< where to go after a breach of the fence
+  std::vector<RallyPoint> rally_points{};
+  std::optional<MetresPerSecond> cruise_speed{};  ///< of a fixed wing
+  std::optional<MetresPerSecond> hover_speed{};   ///< of a copter
+  std::uint8_t autopilot{};                       ///< MAV_AUTOPILOT, for a ground station's information; 0: any
+  std::uint8_t airframe{};                        ///< MAV_TYPE, likewise
   friend bool operator==(const Mission&, const Mission&) = default;
 };
 

@@ -217,6 +217,18 @@ MissionCommand express(const Action& action) {
   return std::visit([](const auto& item) { return expressed(item); }, action);
 }
 
+bool has_place(std::uint16_t command) {
+  static constexpr std::array<std::uint16_t, 24> commands{16, 17, 18, 19, 21,  22,  25,  31,  34,  35,  36,   81,
+                                                          82, 84, 85, 94, 179, 188, 189, 192, 195, 201, 4501, 5100};
+  const auto is_between = [&](std::uint16_t first, std::uint16_t last) { return first <= command && command <= last; };
+  constexpr std::uint16_t nav_fence_return_point = 5000;
+  constexpr std::uint16_t nav_fence_circle_exclusion = 5004;
+  constexpr std::uint16_t waypoint_user_1 = 31000;
+  constexpr std::uint16_t spatial_user_5 = 31009;
+  return std::ranges::find(commands, command) != commands.end() ||
+         is_between(nav_fence_return_point, nav_fence_circle_exclusion) || is_between(waypoint_user_1, spatial_user_5);
+}
+
 std::optional<AltitudeFrame> altitude_frame(std::uint8_t mav_frame) {
   switch (mav_frame) {
     case 0:  // MAV_FRAME_GLOBAL

@@ -19,6 +19,9 @@ using MissionCommand = OtherItem;
 /// for what has no place; an absent place or yaw is NaN; unused parameters are 0.
 [[nodiscard]] MissionCommand express(const Action& action);
 
+/// True when parameters 5 to 7 of this MAV_CMD are a latitude, a longitude and an altitude.
+[[nodiscard]] bool has_place(std::uint16_t command);
+
 /// The altitude frame of a MAV_FRAME; nothing for those that are not global.
 [[nodiscard]] std::optional<AltitudeFrame> altitude_frame(std::uint8_t mav_frame);
 [[nodiscard]] std::uint8_t mav_frame(AltitudeFrame frame);

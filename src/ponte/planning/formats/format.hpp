@@ -1,12 +1,10 @@
 #pragma once
 
 #include "ponte/planning/formats/mission_file.hpp"
-#include "ponte/planning/formats/poi.hpp"
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace ponte::planning {
@@ -30,11 +28,11 @@ inline constexpr std::array formats{Format::poi, Format::csv, Format::geojson, F
 /// By the end of a file's name, e.g. "a.waypoints" is `wpl`; upper and lower case are the same.
 [[nodiscard]] std::optional<Format> format_of_name(std::string_view file_name);
 
-/// What the bytes are by their content. The name decides only between what the content leaves open; it never overrules.
+/// What the bytes are by their content. The file's name decides only where the content leaves it open.
 [[nodiscard]] Result<Format, FormatError> detect_format(Bytes bytes, std::string_view file_name);
 
-/// Reads a file of this format. `layout`: of a `poi`, when it is known.
-[[nodiscard]] ReadingResult read_mission_file(Format format, Bytes bytes, std::optional<PoiLayout> layout = {});
+/// Reads a file of this format.
+[[nodiscard]] ReadingResult read_mission_file(Format format, Bytes bytes, const ReadOptions& options = {});
 
 /// Writes everything that this format can say; points become waypoints and waypoints points where it calls for them.
 /// Refuses what the format has no way to hold at all.
