@@ -75,6 +75,12 @@ std::optional<Format> format_named(std::string_view name) {
   return found == formats.end() ? std::nullopt : std::optional{*found};
 }
 
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const auto format : formats) names.emplace_back(name_of(format));
+  return names;
+}
+
 std::optional<Format> format_of_name(std::string_view file_name) {
   const auto name = lower_case(file_name);
   for (const auto& [end, format] : name_ends)

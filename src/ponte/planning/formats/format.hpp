@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ponte::planning {
 
@@ -25,6 +27,8 @@ inline constexpr std::array formats{Format::poi, Format::csv, Format::geojson, F
 /// "poi", "csv", ...: what `--from` and `--to` take.
 [[nodiscard]] std::string_view name_of(Format format);
 [[nodiscard]] std::optional<Format> format_named(std::string_view name);
+/// Of all formats, in their order.
+[[nodiscard]] std::vector<std::string> format_names();
 /// By the end of a file's name, e.g. "a.waypoints" is `wpl`; upper and lower case are the same.
 [[nodiscard]] std::optional<Format> format_of_name(std::string_view file_name);
 

@@ -15,7 +15,6 @@ namespace ponte::planning {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::max();
-constexpr std::array frames{vehicle::AltitudeFrame::msl, vehicle::AltitudeFrame::home, vehicle::AltitudeFrame::terrain};
 
 /// Control characters that XML has no way to say.
 bool is_forbidden_control(char c) { return c >= 0 && c < 0x20 && c != '\t' && c != '\n' && c != '\r'; }
@@ -44,7 +43,7 @@ void PointDraft::set(std::string_view name, std::string_view value) {
     if (!metres) refuse(point_.where, fmt::format("altitude is '{}'", value), "metres");
     altitude_ = *metres;
   } else if (name == altitude_above_name) {
-    for (const auto frame : frames)
+    for (const auto frame : altitude_frames)
       if (name_of(frame) == value) above_ = frame;
     if (!above_) refuse(point_.where, fmt::format("altitude_above is '{}'", value), "msl, home or terrain");
   } else if (name == dwell_name) {

@@ -2,6 +2,7 @@
 
 #include "ponte/planning/formats/mission_file.hpp"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,8 @@ inline constexpr std::string_view priority_name = "priority";
 inline constexpr std::string_view sensor_quality_name = "sensor_quality";
 inline constexpr std::string_view name_name = "name";
 
+inline constexpr std::array altitude_frames{vehicle::AltitudeFrame::msl, vehicle::AltitudeFrame::home,
+                                            vehicle::AltitudeFrame::terrain};
 [[nodiscard]] std::string_view name_of(vehicle::AltitudeFrame frame);
 
 class PointDraft {
