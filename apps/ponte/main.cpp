@@ -1,5 +1,6 @@
 #include "common/failure.hpp"
 #include "inspect/inspect.hpp"
+#include "mission/mission.hpp"
 #include "ports/ports.hpp"
 #include "sim/sim.hpp"
 #include "translate/translate.hpp"
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
   app.set_config("--config", "", "Read options from a TOML file, [translate] for those of translate");
   app.require_subcommand(1);
   ponte::app::add_inspect(app);
+  ponte::app::add_mission(app);
   ponte::app::add_ports(app);
   ponte::app::add_sim(app);
   ponte::app::add_translate(app);

@@ -11,7 +11,7 @@ Ticks ticks(double cost) {
 }
 
 Legs::Legs(const Problem& problem) {
-  for (const auto& stop : problem.stops) stops_.push_back({ticks(stop.priority), stop.quality_needed});
+  for (const auto& stop : problem.stops) stops_.push_back({ticks(stop.service), ticks(stop.priority), stop.quality_needed});
   for (const auto& vehicle : problem.vehicles) {
     const auto& costs = problem.costs[vehicle.costs];
     VehicleFacts facts{.costs = vehicle.costs,
@@ -34,9 +34,10 @@ Legs::Legs(const Problem& problem) {
 }
 
 Ticks Legs::distance(Node a, Node b) const {
-  Ticks least = no_way;
+  auto least = no_way;
   for (const auto& legs : classes_)
-    least = std::min({least, legs[std::size_t{a} * stops() + b], legs[std::size_t{b} * stops() + a]});
+    least = std::min({least, legs[std::size_t{a} * stops() + b] - stops_[b].service,
+                      legs[std::size_t{b} * stops() + a] - stops_[a].service});
   return least;
 }
 

@@ -42,11 +42,12 @@ class Legs {
     if (to >= stops()) return v.to_end[from];
     return classes_[v.costs][std::size_t{from} * stops() + to];
   }
-  /// Between two stops: the cheaper direction for the cheapest class of vehicles.
+  /// The way between two stops, without the visit: in the cheaper direction for the cheapest class of vehicles.
   [[nodiscard]] Ticks distance(Node a, Node b) const;
 
  private:
   struct StopFacts {
+    Ticks service{};
     Ticks priority{};
     double quality_needed{};
   };

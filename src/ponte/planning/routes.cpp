@@ -45,6 +45,12 @@ void Routes::take_back() {
   unvisited_priority_ = kept_priority_;
 }
 
+bool Routes::are_within_limits() const {
+  for (Node vehicle = 0; vehicle < legs_.vehicles(); ++vehicle)
+    if (cost(vehicle) > legs_.limit(vehicle)) return false;
+  return true;
+}
+
 Plan Routes::plan() const {
   Plan result;
   for (Node vehicle = 0; vehicle < legs_.vehicles(); ++vehicle) {

@@ -9,26 +9,27 @@ struct Score {
   Ticks unvisited_priority{};
   Ticks longest{};
   Ticks total{};
-  /// What annealing compares, in ticks: the total, or a mean of the costs of all routes that the long ones govern.
+  /// One number for annealing, in ticks: the total, or a mean of all routes that the longest governs, and the unvisited
+  /// stops turned into ticks.
   double smooth{};
 };
 
 /// Scores routes by the objective of a problem.
 class Scoring {
  public:
-  explicit Scoring(Objective objective) : objective_{objective} {}
+  /// `typical_leg` tells what a change of a plan may cost.
+  Scoring(Objective objective, const Legs& legs, Ticks typical_leg);
 
   [[nodiscard]] Score score(const Legs& legs, const Routes& routes) const;
   /// What matters in the end: first priority, then the objective, then the total.
   [[nodiscard]] bool is_better(const Score& a, const Score& b) const;
-
-  /// What a route of this cost adds to the score, in a measure whose differences tell good insertions from bad ones.
-  [[nodiscard]] double weight(Ticks cost) const;
+  /// The share that a route of this cost has in the score; a good insertion adds little to it.
+  [[nodiscard]] double share(Ticks cost) const;
 
  private:
   Objective objective_;
-public:
-  double scale_{0x1p-30};
+  double scale_;
+  double ticks_per_priority_{};
 };
 
 }  // namespace ponte::planning

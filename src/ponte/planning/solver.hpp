@@ -22,4 +22,12 @@ class Solver {
   [[nodiscard]] virtual Plan best() const = 0;
 };
 
+enum class Method {
+  best,       ///< what Ponte does best: a tour search where the problem is one plain tour, else ruin and recreate
+  annealing,  ///< simulated annealing after Behnck et al.
+};
+
+/// A solver for a problem that `check` accepts; the solver keeps a copy of what it needs.
+[[nodiscard]] std::unique_ptr<Solver> make_solver(const Problem& problem, Method method, std::uint64_t seed);
+
 }  // namespace ponte::planning

@@ -12,7 +12,11 @@ constexpr Node neighbours = 8;
 /// How many moves are tried at each depth before the search goes back.
 constexpr std::array<std::size_t, 10> breadth = {5, 3, 2, 1, 1, 1, 1, 1, 1, 1};
 /// The pieces that a kick exchanges are at most this long.
-constexpr Tour::City piece_max = 50;
+constexpr Tour::City piece_max = 30;
+// The highest temperature in typical legs.
+constexpr double hottest_legs = 0.125;
+constexpr int halvings = 4;
+constexpr std::uint64_t first_tries_per_city = 5;
 /// What binds the start to the end, so that no tour parts them.
 constexpr Ticks bond = -(Ticks{1} << 44U);
 
@@ -69,27 +73,49 @@ TourSearch::TourSearch(const Problem& problem, std::uint64_t seed)
       near_{cities_, neighbours, [this](City a, City b) { return distance(a, b); }},
       random_{seed},
       tour_{in_order(cities_)},
-      is_queued_(cities_) {
+      cooling_{hottest_legs * static_cast<double>(typical_leg()), halvings, first_tries_per_city * cities_},
+      is_queued_(cities_),
+      best_{tour_} {
   for (City city = 0; city < cities_; ++city) enqueue(city);
   static_cast<void>(mend());
   tour_.keep();
+  best_ = tour_;
+}
+
+/// The mean way to the nearest city.
+Ticks TourSearch::typical_leg() const {
+  Ticks sum = 0;
+  for (City stop = 0; stop < stops_; ++stop) {
+    const auto nearest = near_.of(stop);
+    sum += distance(stop, nearest[0]);
+  }
+  return sum / stops_;
 }
 
 void TourSearch::improve(std::uint64_t tries) {
   for (; tries > 0; --tries) {
     const auto gain = kick();
-    if (gain + mend() < 0)
+    const auto longer = -(gain + mend());
+    const auto tolerance = cooling_.temperature() * random_.exponential();
+    cooling_.step();
+    if (longer > 0 && static_cast<double>(longer) > tolerance) {
       while (tour_.turns() > 0) tour_.take_back();
+      continue;
+    }
     tour_.keep();
+    length_ += longer;
+    if (length_ >= best_length_) continue;
+    best_length_ = length_;
+    best_ = tour_;
   }
 }
 
 Plan TourSearch::best() const {
   const auto start = stops_;
-  const bool goes_on = cities_ - stops_ == 1 || tour_.next(start) != start + 1;
+  const bool goes_on = cities_ - stops_ == 1 || best_.next(start) != start + 1;
   std::vector<std::size_t> route;
   for (auto city = start; route.size() < stops_;) {
-    city = goes_on ? tour_.next(city) : tour_.previous(city);
+    city = goes_on ? best_.next(city) : best_.previous(city);
     route.push_back(city);
   }
   return {{route}};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ponte/core/random.hpp"
+#include "ponte/planning/cooling.hpp"
 #include "ponte/planning/neighbours.hpp"
 #include "ponte/planning/solver.hpp"
 #include "ponte/planning/tour.hpp"
@@ -34,6 +35,7 @@ class TourSearch final : public Solver {
   [[nodiscard]] Ticks distance(City a, City b) const { return distances_[std::size_t{a} * cities_ + b]; }
   void enqueue(City city);
 
+  [[nodiscard]] Ticks typical_leg() const;
   [[nodiscard]] Ticks kick();
   [[nodiscard]] Ticks mend();
   [[nodiscard]] Ticks improve_city(City city);
@@ -46,8 +48,12 @@ class TourSearch final : public Solver {
   Neighbours near_;
   Random random_;
   Tour tour_;
+  Cooling cooling_;
   std::vector<City> queue_;  ///< cities around which the tour has changed
   std::vector<char> is_queued_;
+  Ticks length_{};  ///< compared with the first tour
+  Tour best_;
+  Ticks best_length_{};
 };
 
 }  // namespace ponte::planning
