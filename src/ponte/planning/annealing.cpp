@@ -27,12 +27,14 @@ Annealing::Annealing(const Problem& problem, std::uint64_t seed)
     : legs_{problem},
       random_{seed},
       routes_{legs_},
-      scoring_{problem.objective, legs_, mean_leg(legs_)},
+      scoring_{problem.objective, legs_},
       temperature_{static_cast<double>(mean_leg(legs_))} {
   for (Node stop = 0; stop < legs_.stops(); ++stop) {
     insert_anywhere(stop);
-    if (routes_.are_within_limits()) routes_.keep();
-    else routes_.take_back();
+    if (routes_.are_within_limits())
+      routes_.keep();
+    else
+      routes_.take_back();
   }
   score_ = best_score_ = scoring_.score(legs_, routes_);
   best_ = routes_.plan();

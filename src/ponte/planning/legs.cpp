@@ -11,7 +11,8 @@ Ticks ticks(double cost) {
 }
 
 Legs::Legs(const Problem& problem) {
-  for (const auto& stop : problem.stops) stops_.push_back({ticks(stop.service), ticks(stop.priority), stop.quality_needed});
+  for (const auto& stop : problem.stops)
+    stops_.push_back({ticks(stop.service), ticks(stop.priority), stop.quality_needed});
   for (const auto& vehicle : problem.vehicles) {
     const auto& costs = problem.costs[vehicle.costs];
     VehicleFacts facts{.costs = vehicle.costs,

@@ -18,8 +18,8 @@ inline constexpr Ticks no_way = Ticks{1} << 50U;
 /// Stops, and after them one home for each vehicle, which stands for its start and its ends.
 using Node = std::uint32_t;
 
-/// The legs of a problem as the solvers want them: whole ticks, the visit at the end of a leg included, and both ends of
-/// a vehicle's route in one node. What has no way costs more than any route may.
+/// The legs of a problem as the solvers want them: whole ticks, the visit at the end of a leg included, and both ends
+/// of a vehicle's route in one node. What has no way costs more than any route may.
 class Legs {
  public:
   explicit Legs(const Problem& problem);

@@ -29,8 +29,9 @@ Result<void, std::string> check_stop(const Problem& problem, std::size_t index) 
   const auto& stop = problem.stops[index];
   if (!is_cost(stop.service) || std::isinf(stop.service))
     return fail(fmt::format("stop {}: a visit of {} is not from 0 to {}", index, stop.service, highest_cost));
-  if (!(stop.priority > 0 && stop.priority <= highest_priority))
-    return fail(fmt::format("stop {}: priority {} is not above 0 and at most {}", index, stop.priority, highest_priority));
+  if (!(stop.priority >= lowest_priority && stop.priority <= highest_priority))
+    return fail(fmt::format("stop {}: priority {} is not from {} to {}", index, stop.priority, lowest_priority,
+                            highest_priority));
   if (std::isnan(stop.quality_needed)) return fail(fmt::format("stop {}: the quality needed is not a number", index));
   return {};
 }
@@ -38,8 +39,8 @@ Result<void, std::string> check_stop(const Problem& problem, std::size_t index) 
 Result<void, std::string> check_costs(const Problem& problem, std::size_t index) {
   const auto& costs = problem.costs[index];
   if (costs.places() < problem.stops.size())
-    return fail(fmt::format("cost matrix {}: {} places are too few for {} stops", index, costs.places(),
-                            problem.stops.size()));
+    return fail(
+        fmt::format("cost matrix {}: {} places are too few for {} stops", index, costs.places(), problem.stops.size()));
   for (std::size_t from = 0; from < costs.places(); ++from)
     for (std::size_t to = 0; to < costs.places(); ++to)
       if (!is_cost(costs(from, to)))

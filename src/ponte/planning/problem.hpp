@@ -12,6 +12,12 @@ namespace ponte::planning {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
+/// Costs are counted in whole ticks of 2^-20, so that sums are exact and the same on every machine; this is the highest
+/// finite one, 17 years of seconds.
+inline constexpr double highest_cost = 0x1p29;
+inline constexpr double lowest_priority = 0x1p-10;
+inline constexpr double highest_priority = 0x1p20;
+
 /// What each leg costs, usually in seconds. Both directions of a leg may differ, as wind makes them. An infinite cost
 /// says that there is no way.
 class CostMatrix {
@@ -30,7 +36,7 @@ class CostMatrix {
 /// A place that wants one visit.
 struct Stop {
   double service{};         ///< how long the visit takes, in the unit of the costs
-  double priority{1};       ///< what it is worth to visit it, above 0
+  double priority{1};       ///< what it is worth to visit it, from `lowest_priority` to `highest_priority`
   double quality_needed{};  ///< only a vehicle whose sensor is at least as good may visit it
 };
 
@@ -60,11 +66,6 @@ struct Problem {
 /// cost or an endurance of more than `highest_cost`.
 [[nodiscard]] Result<void, std::string> check(const Problem& problem);
 
-/// Costs are counted in whole ticks of 2^-20, so that sums are exact and the same on every machine; this is the highest
-/// finite one, 17 years of seconds.
-inline constexpr double highest_cost = 0x1p29;
-inline constexpr double highest_priority = 0x1p20;
-
 /// The stops of each vehicle in the order of their visits; a stop that is in no route stays unvisited.
 struct Plan {
   std::vector<std::vector<std::size_t>> routes;
@@ -91,10 +92,10 @@ struct PlanFigures {
 
 /// Why a stop is in no route.
 enum class UnvisitedReason {
-  no_sensor,    ///< no vehicle's sensor is good enough
-  no_way,       ///< no vehicle with such a sensor can fly there and on to an end
-  too_far,      ///< the visit alone is beyond the endurance of each of them
-  outweighed,   ///< their endurance is spent on other stops
+  no_sensor,   ///< no vehicle's sensor is good enough
+  no_way,      ///< no vehicle with such a sensor can fly there and on to an end
+  too_far,     ///< the visit alone is beyond the endurance of each of them
+  outweighed,  ///< their endurance is spent on other stops
 };
 
 struct Unvisited {

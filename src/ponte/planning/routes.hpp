@@ -21,8 +21,8 @@ class Routes {
   /// Of all stops that nobody visits.
   [[nodiscard]] Ticks unvisited_priority() const { return unvisited_priority_; }
 
-  /// Whether no route costs more than its vehicle can. Even removing a stop can make a route costlier, where the way past
-  /// it is closed.
+  /// Whether no route costs more than its vehicle can. Even removing a stop can make a route costlier, where the way
+  /// past it is closed.
   [[nodiscard]] bool are_within_limits() const;
 
   /// What the route of the vehicle would cost more with `stop`, which nobody visits, behind `node`.

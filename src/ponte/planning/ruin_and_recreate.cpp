@@ -47,7 +47,7 @@ RuinAndRecreate::RuinAndRecreate(const Problem& problem, std::uint64_t seed)
       near_{legs_.stops(), neighbours, [this](Node a, Node b) { return legs_.distance(a, b); }},
       random_{seed},
       routes_{legs_},
-      scoring_{problem.objective, legs_, typical_leg(legs_, near_)},
+      scoring_{problem.objective, legs_},
       cooling_{static_cast<double>(typical_leg(legs_, near_)), halvings, first_tries_per_stop * (legs_.stops() + 1)},
       is_absent_(legs_.stops()),
       from_nearest_start_{from_nearest_start(legs_)} {
@@ -74,7 +74,7 @@ void RuinAndRecreate::ruin() {
   Node used = 0;
   for (Node vehicle = 0; vehicle < legs_.vehicles(); ++vehicle) {
     visited += routes_.size(vehicle);
-    used += routes_.size(vehicle) > 0 ? 1 : 0;
+    if (routes_.size(vehicle) > 0) ++used;
   }
   const auto longest = std::clamp<Node>(visited / std::max<Node>(used, 1), 1, string_max);
   auto strings = 1 + random_.below(std::max<Node>(4 * removed_mean / (1 + longest), 1));
@@ -107,7 +107,7 @@ void RuinAndRecreate::remove_string(Node stop, Node longest) {
   auto node = stop;
   for (auto back = random_.below(length); back > 0 && routes_.previous(node) != home; --back)
     node = routes_.previous(node);
-  for (Node i = 0; i < length + (leaves_one ? 1 : 0) && node != home; ++i) {
+  for (Node i = 0; i < length + (leaves_one ? 1U : 0U) && node != home; ++i) {
     const auto following = routes_.next(node);
     if (i != left) {
       routes_.remove(node);

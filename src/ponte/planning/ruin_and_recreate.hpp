@@ -44,10 +44,10 @@ class RuinAndRecreate final : public Solver {
   Cooling cooling_;
   Plan best_;
   Score best_score_;
-  std::vector<Node> absent_;              ///< the stops that this try puts back
-  std::vector<char> is_absent_;           ///< for each stop
+  std::vector<Node> absent_;               ///< the stops that this try puts back
+  std::vector<char> is_absent_;            ///< for each stop
   std::vector<Ticks> from_nearest_start_;  ///< for each stop
-  std::uint32_t until_blink_{1};          ///< one place for a stop in about a hundred is overlooked
+  std::uint32_t until_blink_{1};           ///< one place for a stop in about a hundred is overlooked
 };
 
 }  // namespace ponte::planning

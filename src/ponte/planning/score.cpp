@@ -9,10 +9,8 @@ namespace {
 
 /// The mean of the routes is that of power 2^6 = 64: nearly the longest, and yet every route counts a little.
 constexpr int doublings = 6;
-/// To leave a stop of the mean priority unvisited is as bad as this many typical legs.
-constexpr double legs_per_stop = 2;
 
-/// Of a route that visits only the stop that is farthest in this sense.
+/// The cost of the costliest route that visits one stop.
 Ticks longest_single_visit(const Legs& legs) {
   Ticks longest = 1;
   for (Node vehicle = 0; vehicle < legs.vehicles(); ++vehicle) {
@@ -27,11 +25,13 @@ Ticks longest_single_visit(const Legs& legs) {
 
 }  // namespace
 
-Scoring::Scoring(Objective objective, const Legs& legs, Ticks typical_leg)
-    : objective_{objective}, scale_{1 / static_cast<double>(longest_single_visit(legs))} {
-  Ticks priorities = 1;
-  for (Node stop = 0; stop < legs.stops(); ++stop) priorities += legs.priority(stop);
-  ticks_per_priority_ = legs_per_stop * static_cast<double>(typical_leg) * legs.stops() / static_cast<double>(priorities);
+Scoring::Scoring(Objective objective, const Legs& legs) : objective_{objective} {
+  const auto costliest = static_cast<double>(longest_single_visit(legs));
+  scale_ = 1 / costliest;
+  auto least_priority = ticks(highest_priority);
+  for (Node stop = 0; stop < legs.stops(); ++stop) least_priority = std::min(least_priority, legs.priority(stop));
+  // So no visit costs more than it is worth.
+  ticks_per_priority_ = 2 * costliest / static_cast<double>(least_priority);
 }
 
 double Scoring::share(Ticks cost) const {

@@ -17,8 +17,7 @@ struct Score {
 /// Scores routes by the objective of a problem.
 class Scoring {
  public:
-  /// `typical_leg` tells what a change of a plan may cost.
-  Scoring(Objective objective, const Legs& legs, Ticks typical_leg);
+  Scoring(Objective objective, const Legs& legs);
 
   [[nodiscard]] Score score(const Legs& legs, const Routes& routes) const;
   /// What matters in the end: first priority, then the objective, then the total.
@@ -28,7 +27,7 @@ class Scoring {
 
  private:
   Objective objective_;
-  double scale_;
+  double scale_{};  ///< of the costs, for powers of them have to stay finite
   double ticks_per_priority_{};
 };
 

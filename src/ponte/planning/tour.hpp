@@ -32,8 +32,8 @@ class Tour {
   /// Now it goes the other way round.
   void mirror() { is_reversed_ = !is_reversed_; }
 
-  /// Turns the part from `first` to `last` round: what led to `first` leads to `last` then. It moves at most half of the
-  /// cities, for the rest may be turned round instead.
+  /// Turns the part from `first` to `last` round: what led to `first` leads to `last` then. It moves at most half of
+  /// the cities, for the rest may be turned round instead.
   void reverse(City first, City last) {
     Turn turn{position_[is_reversed_ ? last : first], position_[is_reversed_ ? first : last], false};
     const auto count = (turn.from <= turn.to ? turn.to - turn.from : turn.to + size() - turn.from) + 1;

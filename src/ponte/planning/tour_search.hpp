@@ -27,8 +27,8 @@ class TourSearch final : public Solver {
  private:
   using City = Tour::City;
   struct Move {
-    City to{};    ///< what becomes the neighbour of the loose end
-    City end{};   ///< the new loose end
+    City to{};     ///< what becomes the neighbour of the loose end
+    City end{};    ///< the new loose end
     Ticks gain{};  ///< so far, with the tour still open
   };
 
