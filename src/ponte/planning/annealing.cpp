@@ -3,7 +3,8 @@
 namespace ponte::planning {
 namespace {
 
-constexpr double cooling = 0.999995;
+constexpr int halvings = 10;
+constexpr std::uint64_t first_tries_per_stop = 1000;
 constexpr std::uint32_t turned_max = 50;
 
 /// From a start to a stop, in the mean of those that have a way.
@@ -28,7 +29,7 @@ Annealing::Annealing(const Problem& problem, std::uint64_t seed)
       random_{seed},
       routes_{legs_},
       scoring_{problem.objective, legs_},
-      temperature_{static_cast<double>(mean_leg(legs_))} {
+      cooling_{static_cast<double>(mean_leg(legs_)), halvings, first_tries_per_stop * (legs_.stops() + 1)} {
   for (Node stop = 0; stop < legs_.stops(); ++stop) {
     insert_anywhere(stop);
     if (routes_.are_within_limits())
@@ -94,8 +95,8 @@ void Annealing::turn_round(Node first) {
 
 void Annealing::judge() {
   const auto score = scoring_.score(legs_, routes_);
-  const bool is_taken = score.smooth - score_.smooth <= temperature_ * random_.exponential();
-  temperature_ *= cooling;
+  const bool is_taken = score.smooth - score_.smooth <= cooling_.temperature() * random_.exponential();
+  cooling_.step();
   if (!is_taken || !routes_.are_within_limits()) {
     routes_.take_back();
     return;
