@@ -1,4 +1,5 @@
-// One format of points or missions, PONTE_FORMAT, over any bytes: what is read can be written, and is then read as the same.
+// One format of points or missions, PONTE_FORMAT, over any bytes: what is read can be written, and is then read as the
+// same.
 
 #include "ponte/core/assert.hpp"
 #include "ponte/planning/formats/format.hpp"
