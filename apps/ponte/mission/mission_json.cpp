@@ -3,8 +3,8 @@
 #include "common/json_line.hpp"
 #include "ponte/core/degrees.hpp"
 #include "ponte/planning/formats/conversion.hpp"
+#include "ponte/planning/formats/numbered_items.hpp"
 #include "ponte/planning/formats/point_draft.hpp"
-#include "ponte/vehicle/mission_command.hpp"
 
 #include <string_view>
 
@@ -39,10 +39,10 @@ void print_settings(JsonText& json, const vehicle::Mission& mission) {
   end(json.member("altitude_above", "msl"));
 }
 
-void print_item(JsonText& json, const vehicle::MissionItem& item, std::size_t number) {
-  const auto command = vehicle::express(item.action);
+void print_item(JsonText& json, const vehicle::MissionItem& item, const planning::NumberedItem& numbered) {
+  const auto& command = numbered.command;
   begin(json, "item")
-      .member("number", std::uint64_t{number})
+      .member("number", std::uint64_t{numbered.number})
       .member("what", std::string_view{planning::title_of(item.action)});
   if (!item.name.empty()) json.member("name", std::string_view{item.name});
   if (item.waits) json.member("waits", true);
@@ -83,7 +83,8 @@ void print_json(const planning::MissionFile& content) {
   JsonText json;
   const auto& mission = content.mission;
   print_settings(json, mission);
-  for (std::size_t i = 0; i < mission.items.size(); ++i) print_item(json, mission.items[i], i + 1);
+  const auto numbered = planning::numbered(mission.items, 1);
+  for (std::size_t i = 0; i < numbered.size(); ++i) print_item(json, mission.items[i], numbered[i]);
   for (const auto& pattern : mission.patterns)
     end(begin(json, "pattern")
             .member("kind", std::string_view{pattern.kind})

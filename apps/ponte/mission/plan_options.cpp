@@ -10,6 +10,8 @@
 namespace ponte::app {
 namespace {
 
+/// Metres per second, of a copter that is not told another.
+constexpr double usual_speed = 8;
 constexpr std::string_view vehicle_grammar =
     "keys start=LAT,LON end=LAT,LON (repeatable) speed=M/S endurance=S quality=0..1, separated by semicolons";
 
@@ -36,7 +38,8 @@ vehicle::Place place(std::string_view text, const std::string& whole) {
 planning::Craft craft_from(const PlanOptions& options, const std::string& text, const vehicle::Place& first_point) {
   constexpr double day_s = 86400;
   planning::Craft craft{.start = first_point,
-                        .speed = MetresPerSecond{options.speed},
+                        .speed = MetresPerSecond{options.speed.value_or(usual_speed)},
+                        .sets_speed = options.speed.has_value(),
                         .vertical_speed = MetresPerSecond{options.vertical_speed}};
   auto endurance = options.endurance_s > 0 ? options.endurance_s : planning::unlimited;
   for (std::string_view rest = text; !rest.empty();) {
@@ -98,9 +101,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
   command.add_option("--vehicle", options.vehicles, fmt::format("One vehicle: {}", vehicle_grammar));
   command.add_option("--fence", options.fences, "A file with zones (.plan, KML, GeoJSON) beside those of POINTS");
   command.add_option("--wind", options.wind, "M/S@DEGREES, from where it blows, e.g. 5@270");
-  command.add_option("--speed", options.speed, "Metres per second")
-      ->check(CLI::Range(0.1, 1000.0))
-      ->capture_default_str();
+  command.add_option("--speed", options.speed, "Metres per second, which the mission sets; it counts with 8 without")
+      ->check(CLI::Range(0.1, 1000.0));
   command.add_option("--vertical-speed", options.vertical_speed, "Of climb and descent, metres per second")
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();

@@ -22,7 +22,7 @@ struct PlanOptions {
   std::vector<std::string> vehicles;
   std::vector<std::string> fences;
   std::string wind;
-  double speed{8};
+  std::optional<double> speed;
   double vertical_speed{2};
   double endurance_s{};
   double reserve_percent{20};

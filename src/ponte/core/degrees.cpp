@@ -2,21 +2,31 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ponte {
 
+namespace {
+
+double rounded(double number, int digits) {
+  std::array<char, 32> text{};
+  const auto written =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::scientific, digits - 1);
+  double result{};
+  std::from_chars(text.data(), written.ptr, result);
+  return result;
+}
+
+}  // namespace
+
 double degrees_from_radians(Radians angle) {
   const double degrees = angle.value * (180 / std::numbers::pi);
-  constexpr int always_exact = 17;
-  for (int digits = 15; digits < always_exact; ++digits) {
-    std::array<char, 32> text{};
-    const auto written =
-        std::to_chars(text.data(), text.data() + text.size(), degrees, std::chars_format::scientific, digits - 1);
-    double shorter{};
-    std::from_chars(text.data(), written.ptr, shorter);
-    if (radians_from_degrees(shorter) == angle) return shorter;
-  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double candidate : {rounded(degrees, 15), rounded(degrees, 16), degrees, std::nextafter(degrees, infinity),
+                                 std::nextafter(degrees, -infinity)})
+    if (radians_from_degrees(candidate) == angle) return candidate;
   return degrees;
 }
 

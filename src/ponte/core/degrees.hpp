@@ -4,8 +4,8 @@
 
 namespace ponte {
 
-/// The inverse of `radians_from_degrees`: of the degrees that it turns into this very angle, those with the fewest
-/// digits. So what a file says with up to 15 digits is written as it was read.
+/// The inverse of `radians_from_degrees`: degrees that it turns into this very angle, where there are any, and with up
+/// to 15 digits if so many do. So what a file says is written with the same meaning, and mostly with the same digits.
 [[nodiscard]] double degrees_from_radians(Radians angle);
 
 }  // namespace ponte

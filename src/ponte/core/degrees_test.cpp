@@ -24,6 +24,14 @@ TEST(DegreesFromRadians, GivesBackEveryDegE7) {
   }
 }
 
+TEST(DegreesFromRadians, GivesBackTheAngleOfAnyDegrees) {
+  Random random{2016};
+  for (int i = 0; i < 100'000; ++i) {
+    const auto angle = radians_from_degrees((random.unit() - 0.5) * 360);
+    ASSERT_EQ(radians_from_degrees(degrees_from_radians(angle)), angle);
+  }
+}
+
 TEST(DegreesFromRadians, IsWithinOneStepOfTheAngleForAnyAngle) {
   Random random{4586};
   for (int i = 0; i < 20'000; ++i) {

@@ -71,10 +71,10 @@ vehicle::Mission mission_of(const Craft& craft, const Flight& flight, const std:
   const auto add = [&](vehicle::Action action, std::string name = {}) {
     mission.items.push_back({.action = std::move(action), .name = std::move(name)});
   };
-  mission.hover_speed = craft.speed;
+  if (craft.sets_speed) mission.hover_speed = craft.speed;
   if (style.wait.count() > 0) add(vehicle::DelayItem{style.wait});
   add(vehicle::TakeOffItem{.place = craft.start, .altitude = raised(flight.legs.front().altitude)});
-  add(vehicle::SpeedItem{.kind = vehicle::SpeedKind::ground, .speed = craft.speed});
+  if (craft.sets_speed) add(vehicle::SpeedItem{.kind = vehicle::SpeedKind::ground, .speed = craft.speed});
   for (const auto& leg : flight.legs) {
     for (const auto& turn : leg.turns) add(vehicle::WaypointItem{.place = turn, .altitude = raised(leg.altitude)});
     if (!leg.point) break;

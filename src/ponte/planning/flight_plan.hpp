@@ -12,6 +12,7 @@ struct Craft {
   vehicle::Place start{};
   std::vector<vehicle::Place> ends{};     ///< it lands at the one that is cheapest to reach; at its last point if none
   MetresPerSecond speed{};                ///< through the air, above 0
+  bool sets_speed{};                      ///< its mission sets this speed; else the craft is known to fly at it
   MetresPerSecond vertical_speed{};       ///< of climb and descent, above 0
   vehicle::Seconds endurance{unlimited};  ///< what it may use, the reserve taken off
   double quality{1};                      ///< of its sensor, 0 to 1

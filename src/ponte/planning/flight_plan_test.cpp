@@ -16,7 +16,11 @@ Place at(double east, double north) { return Map{home}.place({east, north}); }
 Task task_with(const std::vector<Place>& places) {
   Task task;
   for (const auto& place : places) task.points.push_back({.place = place});
-  task.crafts = {{.start = home, .ends = {home}, .speed = MetresPerSecond{10}, .vertical_speed = MetresPerSecond{2}}};
+  task.crafts = {{.start = home,
+                  .ends = {home},
+                  .speed = MetresPerSecond{10},
+                  .sets_speed = true,
+                  .vertical_speed = MetresPerSecond{2}}};
   task.margin = Metres{5};
   task.altitude = {Metres{40}, vehicle::AltitudeFrame::home};
   return task;

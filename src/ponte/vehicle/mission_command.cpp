@@ -101,7 +101,7 @@ std::optional<Action> likely_item(const MissionCommand& command) {
   const auto altitude = altitude_in(command);
   switch (command.command) {
     case nav_waypoint:
-      if (!place) return std::nullopt;
+      if (!place || p[0] < 0) return std::nullopt;
       return WaypointItem{.place = *place,
                           .altitude = altitude,
                           .dwell = Seconds{or_zero(p[0])},

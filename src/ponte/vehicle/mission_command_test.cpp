@@ -48,6 +48,7 @@ TEST(Interpret, TheFramesOfIntegerMessagesMeanTheSame) {
 
 TEST(Interpret, WhatAnItemCannotSayStaysAsItCame) {
   const MissionCommand commands[]{
+      {16, 3, {-1, 0, 0, 0, 47, 8, 40}},
       {82, 3, {0, 0, 0, 0, 47, 8, 40}},      // a spline waypoint
       {16, 1, {0, 0, 0, 0, 100, 200, -40}},  // local coordinates
       {16, 3, {0, 0, 0, 0, 47, 8, nan}},     // a waypoint without an altitude
@@ -84,6 +85,13 @@ TEST(Interpret, KnowsTheItemsWithoutAPlace) {
   EXPECT_EQ(interpret({197, 2, {}}), Action{LookAtItem{}});
   EXPECT_EQ(interpret({205, 2, {-90, 0, 45, 0, 0, 0, 2}}),
             (Action{GimbalItem{radians_from_degrees(-90), {}, radians_from_degrees(45)}}));
+}
+
+TEST(HasPlace, OfCommandsOnTheirLimits) {
+  for (const std::uint16_t command : {16, 22, 82, 195, 5000, 5004, 31000, 31009})
+    EXPECT_TRUE(has_place(command)) << command;
+  for (const std::uint16_t command : {20, 93, 177, 206, 4999, 5005, 30999, 31010})
+    EXPECT_FALSE(has_place(command)) << command;
 }
 
 TEST(Interpret, LoitersInEachWay) {

@@ -1,5 +1,6 @@
 #include "ponte/planning/formats/format.hpp"
 
+#include "ponte/core/utf8.hpp"
 #include "ponte/planning/formats/csv.hpp"
 #include "ponte/planning/formats/geojson.hpp"
 #include "ponte/planning/formats/gpx.hpp"
@@ -26,11 +27,15 @@ constexpr NameEnd name_ends[]{{".poi", Format::poi},         {".csv", Format::cs
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
 
-bool is_text(Bytes bytes) {
-  return std::ranges::none_of(bytes, [](std::byte byte) {
-    const auto c = std::to_integer<unsigned char>(byte);
-    return c < 0x20 && c != '\t' && c != '\n' && c != '\r';
-  });
+/// Text has no control characters and is UTF-8; doubles nearly always have one or are none.
+bool is_text(std::string_view text) {
+  while (!text.empty()) {
+    const bool is_control = text.front() >= 0 && text.front() < 0x20 && !contains("\t\r\n", text.substr(0, 1));
+    const auto length = utf8_length(text);
+    if (is_control || length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
 }
 
 /// A word that only one of the formats can have so near its beginning; nothing where it has none or several.
@@ -90,9 +95,10 @@ std::optional<Format> format_of_name(std::string_view file_name) {
 
 Result<Format, FormatError> detect_format(Bytes bytes, std::string_view file_name) {
   if (bytes.empty()) return fail(FormatError{{}, "it is empty", "points or a mission"});
-  if (without_mark(bytes).starts_with("PK\x03\x04")) return Format::kmz;
-  if (!is_text(bytes)) return Format::poi;
-  if (const auto format = format_of_text(without_mark(bytes))) return *format;
+  const auto text = without_mark(bytes);
+  if (text.starts_with("PK\x03\x04")) return Format::kmz;
+  if (const auto format = format_of_text(text)) return *format;
+  if (!is_text(text)) return Format::poi;
   if (const auto format = format_of_name(file_name)) return *format;
   return fail(
       FormatError{at_line(1), "neither the text nor the name of the file tells its format", "to be told it (--from)"});

@@ -95,18 +95,18 @@ class GeoJsonReader {
     draft.set_place(
         checked_place(number_of(numbers[1], "latitude"), number_of(numbers[0], "longitude"), at_line(position.line)));
     if (numbers.size() > 2) draft.set_altitude(number_of(numbers[2], "altitude"));
-    if (properties != nullptr)
-      for (const auto& [name, value] : properties->members) set(draft, name, value);
+    if (properties != nullptr && properties->kind == JsonValue::Kind::object)
+      for (const auto& property : properties->elements) set(draft, property);
     vague_altitudes_ = vague_altitudes_ || (draft.altitude_is_vague() && !options_.altitude_above);
     return draft.finish(options_.altitude_above.value_or(vehicle::AltitudeFrame::msl));
   }
 
-  void set(PointDraft& draft, const std::string& name, const JsonValue& value) {
+  void set(PointDraft& draft, const JsonValue& value) {
     if (value.kind == JsonValue::Kind::null) return;
-    if (!PointDraft::knows(name))
-      remark(value.line, fmt::format("the property '{}' is not kept", name));
+    if (!PointDraft::knows(value.name))
+      remark(value.line, fmt::format("the property '{}' is not kept", value.name));
     else
-      draft.set(name, value.kind == JsonValue::Kind::text ? value.text : shown(value));
+      draft.set(value.name, value.kind == JsonValue::Kind::text ? value.text : shown(value));
   }
 
   void read_line(const JsonValue& coordinates) {

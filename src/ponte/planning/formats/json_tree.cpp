@@ -90,10 +90,9 @@ class TreeBuilder {
     if (value.line == 0) value.line = line();
     if (open_.empty()) {
       root_ = std::move(value);
-    } else if (auto& parent = open_.back(); parent.kind == JsonValue::Kind::array) {
-      parent.elements.push_back(std::move(value));
     } else {
-      parent.members.push_back({names_.back(), std::move(value)});
+      value.name = names_.back();
+      open_.back().elements.push_back(std::move(value));
     }
     return true;
   }
@@ -119,15 +118,16 @@ class TreeBuilder {
   std::size_t line_{1};
   JsonValue root_;
   std::vector<JsonValue> open_;
-  std::vector<std::string> names_;  ///< of the member that comes next, for each open value
+  std::vector<std::string> names_;  ///< of the member that comes next, for each open value; empty in an array
   FormatError error_;
 };
 
 }  // namespace
 
-const JsonValue* JsonValue::find(std::string_view name) const {
-  const auto member = std::ranges::find(members, name, &JsonMember::name);
-  return member == members.end() ? nullptr : &member->value;
+const JsonValue* JsonValue::find(std::string_view wanted) const {
+  if (kind != Kind::object) return nullptr;
+  const auto member = std::ranges::find(elements, wanted, &JsonValue::name);
+  return member == elements.end() ? nullptr : &*member;
 }
 
 JsonValue parse_json(std::string_view text) {

@@ -10,8 +10,6 @@
 
 namespace ponte::planning {
 
-struct JsonMember;
-
 /// A value of a JSON text that knows where it stands, so that a reader can say which one is wrong.
 struct JsonValue {
   enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
@@ -20,19 +18,14 @@ struct JsonValue {
   bool truth{};
   double number{};
   std::string text{};
-  std::vector<JsonValue> elements{};
-  std::vector<JsonMember> members{};  ///< in the order of the text, each name once
+  std::string name{};                 ///< of a member of an object
+  std::vector<JsonValue> elements{};  ///< or members, in the order of the text, each name once
   std::size_t line{};                 ///< from 1; of an array or object, where it begins
   std::size_t begin{};                ///< of an array or object: its first byte in the text
   std::size_t end{};                  ///< and the one after its last
 
-  /// The member of this name; null pointer: there is none, or this is no object.
-  [[nodiscard]] const JsonValue* find(std::string_view name) const;
-};
-
-struct JsonMember {
-  std::string name{};
-  JsonValue value;
+  /// The member of the wanted name; null pointer: there is none, or this is no object.
+  [[nodiscard]] const JsonValue* find(std::string_view wanted) const;
 };
 
 /// Reads a JSON text. Throws `FormatError`, also for what is nested deeper than 64 levels or names a member twice.

@@ -79,8 +79,9 @@ class PlanReader {
   }
 
   void remark_others(const JsonValue& object, std::initializer_list<std::string_view> known) {
-    for (const auto& [name, value] : object.members)
-      if (std::ranges::find(known, name) == known.end()) remark(value, fmt::format("'{}' is not kept", name));
+    for (const auto& value : object.elements)
+      if (std::ranges::find(known, value.name) == known.end())
+        remark(value, fmt::format("'{}' is not kept", value.name));
   }
 
   void read_mission(const JsonValue& object) {

@@ -32,29 +32,35 @@ double value_at(const std::byte* at, PoiLayout layout) {
   return 0;
 }
 
-/// How well the bytes fit a layout. Read in a wrong one, most values are far out of range or very near to 0.
+/// What the values are in a layout. In a wrong one, most of them are far out of range or very near to 0.
 enum class Fit : std::uint8_t {
-  none,       ///< some value is no coordinate
-  swapped,    ///< every pair is one with longitude first
-  in_range,   ///< every value is in range, though some are 0 or nearer to it than a centimetre
-  plausible,  ///< every value is in range and clear of 0
+  none,
+  coordinates,
+  zeros,  ///< coordinates, but all latitudes or all longitudes are 0
+  swapped,
 };
 
+bool may_be(double degrees, double highest) {
+  constexpr double centimetre = 1e-7;
+  return degrees == 0 || (std::abs(degrees) >= centimetre && std::abs(degrees) <= highest);
+}
+
 Fit fit_of(Bytes bytes, PoiLayout layout) {
-  if (bytes.empty() || bytes.size() % pair_size(layout) != 0) return Fit::none;
-  constexpr double centimetre_in_degrees = 1e-7;
+  if (bytes.size() % pair_size(layout) != 0) return Fit::none;
   bool straight = true;
   bool turned = true;
-  bool clear_of_zero = true;
+  bool first_are_zero = true;
+  bool second_are_zero = true;
   for (std::size_t at = 0; at < bytes.size(); at += pair_size(layout)) {
-    const double first = std::abs(value_at(&bytes[at], layout));
-    const double second = std::abs(value_at(&bytes[at + width_of(layout)], layout));
-    straight = straight && first <= 90 && second <= 180;
-    turned = turned && first <= 180 && second <= 90;
-    clear_of_zero = clear_of_zero && first >= centimetre_in_degrees && second >= centimetre_in_degrees;
+    const double first = value_at(&bytes[at], layout);
+    const double second = value_at(&bytes[at + width_of(layout)], layout);
+    straight = straight && may_be(first, 90) && may_be(second, 180);
+    turned = turned && may_be(first, 180) && may_be(second, 90);
+    first_are_zero = first_are_zero && first == 0;
+    second_are_zero = second_are_zero && second == 0;
   }
-  if (straight) return clear_of_zero ? Fit::plausible : Fit::in_range;
-  return turned && clear_of_zero ? Fit::swapped : Fit::none;
+  if (straight) return first_are_zero || second_are_zero ? Fit::zeros : Fit::coordinates;
+  return turned ? Fit::swapped : Fit::none;
 }
 
 std::vector<PoiLayout> layouts_with(Bytes bytes, Fit fit) {
@@ -71,18 +77,20 @@ std::vector<std::string_view> names_of(const std::vector<PoiLayout>& layouts) {
 }
 
 PoiLayout layout_of(Bytes bytes) {
-  for (const auto fit : {Fit::plausible, Fit::in_range}) {
-    const auto found = layouts_with(bytes, fit);
-    if (found.size() == 1) return found.front();
-    if (found.size() > 1)
-      refuse(at_byte(0), fmt::format("its values are coordinates as {}", fmt::join(names_of(found), " and as ")),
-             "to be told which (--poi-layout)");
-  }
+  auto found = layouts_with(bytes, Fit::coordinates);
+  const bool are_doubles = std::ranges::any_of(found, [](auto layout) { return width_of(layout) == sizeof(double); });
+  // The lower halves of round doubles are 0, which makes floats that are 0 at every other place.
+  for (const auto layout : layouts_with(bytes, Fit::zeros))
+    if (!are_doubles || width_of(layout) == sizeof(double)) found.push_back(layout);
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1)
+    refuse(at_byte(0), fmt::format("its values are coordinates as {}", fmt::join(names_of(found), " and as ")),
+           "to be told which (--poi-layout)");
   if (const auto swapped = layouts_with(bytes, Fit::swapped); !swapped.empty())
     refuse(at_byte(0), fmt::format("read as {}, latitude and longitude look swapped", name_of(swapped.front())),
            "pairs of latitude and longitude");
-  refuse(at_byte(0), "not every value is a coordinate, whatever width and byte order they have",
-         "pairs of latitude -90 to 90 and longitude -180 to 180");
+  refuse(at_byte(0), "its values are no coordinates, whatever their width and byte order",
+         "pairs of latitude -90 to 90 and longitude -180 to 180 (or --poi-layout)");
 }
 
 }  // namespace
