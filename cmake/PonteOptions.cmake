@@ -35,6 +35,9 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
+find_library(PONTE_GEOGRAPHICLIB GeographicLib REQUIRED)
+# libzip's own CMake file, as Debian ships it, asks for programs of another package.
+find_library(PONTE_LIBZIP zip REQUIRED)
 
 # Same seed, same bytes on every compiler: no fused multiply-add behind our back.
 add_library(ponte_options INTERFACE)

@@ -2,6 +2,7 @@
 #include "demo/demo.hpp"
 #include "inspect/inspect.hpp"
 #include "latency/latency.hpp"
+#include "mission/mission.hpp"
 #include "ports/ports.hpp"
 #include "sim/sim.hpp"
 #include "translate/translate.hpp"
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
   ponte::app::add_demo(app);
   ponte::app::add_inspect(app);
   ponte::app::add_latency(app);
+  ponte::app::add_mission(app);
   ponte::app::add_ports(app);
   ponte::app::add_sim(app);
   ponte::app::add_translate(app);

@@ -4,7 +4,7 @@
 #include "ponte/core/json_text.hpp"
 #include "ponte/dli/codec.hpp"
 #include "ponte/dli/messages/all.hpp"
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "ponte/mavlink/crc.hpp"
 
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "ponte/mavlink/test_messages.hpp"
 #include "support/bytes.hpp"
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
 
 #include <gtest/gtest.h>
 

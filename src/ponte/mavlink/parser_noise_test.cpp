@@ -2,14 +2,14 @@
 #include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/parser.hpp"
 #include "ponte/mavlink/test_messages.hpp"
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
+#include "support/seed.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -145,12 +145,6 @@ std::vector<Place> missing(const std::vector<Place>& wanted, const std::vector<P
   std::vector<Place> result;
   std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(), std::back_inserter(result));
   return result;
-}
-
-/// The seed of the tests whose names say Seeded, which hold for any: `./run soak` sets another one for each round.
-std::uint64_t chosen_seed() {
-  const char* text = std::getenv("PONTE_SEED");
-  return text != nullptr ? std::stoull(text) : 1;
 }
 
 constexpr int many = 100'000;

@@ -3,7 +3,7 @@
 #include "ponte/core/hex.hpp"
 #include "ponte/mavlink/test_messages.hpp"
 #include "support/bytes.hpp"
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "ponte/transport/send_queue.hpp"
 
 #include "ponte/core/bytes.hpp"
-#include "support/random.hpp"
+#include "ponte/core/random.hpp"
 
 #include <gtest/gtest.h>
 

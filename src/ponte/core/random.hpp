@@ -1,7 +1,9 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace ponte {
@@ -31,6 +33,15 @@ class Random {
   [[nodiscard]] constexpr double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
   [[nodiscard]] constexpr bool chance(double probability) { return unit() < probability; }
+
+  /// From 0, of mean 1.04: the exponential distribution, its curve drawn as straight lines between the powers of 2. It
+  /// needs no logarithm, whose last bit differs between libraries.
+  [[nodiscard]] constexpr double exponential() {
+    const auto bits = next();
+    const auto halvings = std::countl_zero(bits | 1U);
+    const auto rest = static_cast<double>((bits << static_cast<unsigned>(halvings)) << 1U) * 0x1p-64;
+    return std::numbers::ln2 * (halvings + 1 - rest);
+  }
 
   constexpr void fill(std::span<std::byte> bytes) {
     for (auto& each : bytes) each = byte();

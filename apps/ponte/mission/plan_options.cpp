@@ -1,0 +1,156 @@
+#include "mission/plan_options.hpp"
+
+#include "common/failure.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace ponte::app {
+namespace {
+
+/// Metres per second, of a copter that is not told another.
+constexpr double usual_speed = 8;
+constexpr std::string_view vehicle_grammar =
+    "keys start=LAT,LON end=LAT,LON (repeatable) speed=M/S endurance=S quality=0..1, separated by semicolons";
+
+double number(std::string_view text, const std::string& whole, double least, double most) {
+  double value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= least && value <= most))
+    throw UsageError{fmt::format("'{}': '{}' is not a number from {} to {}", whole, text, least, most)};
+  return value;
+}
+
+std::pair<std::string_view, std::string_view> split(std::string_view text, char at) {
+  const auto found = text.find(at);
+  if (found == std::string_view::npos) return {text, {}};
+  return {text.substr(0, found), text.substr(found + 1)};
+}
+
+vehicle::Place place(std::string_view text, const std::string& whole) {
+  const auto [latitude, longitude] = split(text, ',');
+  return {radians_from_degrees(number(latitude, whole, -90, 90)),
+          radians_from_degrees(number(longitude, whole, -180, 180))};
+}
+
+planning::Craft craft_from(const PlanOptions& options, const std::string& text, const vehicle::Place& first_point) {
+  constexpr double day_s = 86400;
+  planning::Craft craft{.start = first_point,
+                        .speed = MetresPerSecond{options.speed.value_or(usual_speed)},
+                        .sets_speed = options.speed.has_value(),
+                        .vertical_speed = MetresPerSecond{options.vertical_speed}};
+  auto endurance = options.endurance_s > 0 ? options.endurance_s : planning::unlimited;
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto [setting, others] = split(rest, ';');
+    const auto [key, value] = split(setting, '=');
+    rest = others;
+    if (key == "start")
+      craft.start = place(value, text);
+    else if (key == "end")
+      craft.ends.push_back(place(value, text));
+    else if (key == "speed")
+      craft.speed = MetresPerSecond{number(value, text, 0.1, 1000)};
+    else if (key == "endurance")
+      endurance = number(value, text, 1, 30 * day_s);
+    else if (key == "quality")
+      craft.quality = number(value, text, 0, 1);
+    else
+      throw UsageError{fmt::format("--vehicle '{}': there is no '{}': expected {}", text, key, vehicle_grammar)};
+  }
+  craft.endurance = vehicle::Seconds{endurance * (1 - options.reserve_percent / 100)};
+  if (craft.ends.empty() && options.end == "return") craft.ends.push_back(craft.start);
+  return craft;
+}
+
+planning::Wind wind_from(const std::string& text) {
+  if (text.empty()) return {};
+  const auto [speed, from] = split(text, '@');
+  return {MetresPerSecond{number(speed, text, 0, 100)}, radians_from_degrees(number(from, text, 0, 360))};
+}
+
+/// The zones of another file.
+void add_fence(vehicle::Mission& fence, const std::string& file) {
+  MissionInput input;
+  input.file = file;
+  const auto other = load_mission(input).content.mission;
+  if (other.fence_polygons.empty() && other.fence_circles.empty())
+    throw Failure{fmt::format("{}: no zone is in it: expected the polygons or circles of a fence", file)};
+  fence.fence_polygons.insert(fence.fence_polygons.end(), other.fence_polygons.begin(), other.fence_polygons.end());
+  fence.fence_circles.insert(fence.fence_circles.end(), other.fence_circles.begin(), other.fence_circles.end());
+}
+
+}  // namespace
+
+void add_plan_options(CLI::App& command, PlanOptions& options) {
+  command.add_option("POINTS", options.input.file, "Points of interest, in any format of `ponte mission convert`")
+      ->required();
+  add_mission_input_options(command, options.input);
+  command.add_option("--output", options.outputs, "File to write, e.g. mission.plan; one for each vehicle that flies");
+  command.add_option("--output-html", options.map, "A map of points, zones and routes to look at");
+  command.add_option("--order", options.order, "Visit in the best order, or as given")
+      ->check(CLI::IsMember({"best", "given"}))
+      ->capture_default_str();
+  command.add_option("--end", options.end, "Return and land, or land at the last point")
+      ->check(CLI::IsMember({"return", "last-point"}))
+      ->capture_default_str();
+  command.add_option("--objective", options.objective, "Make the sum of all flights short, or the longest")
+      ->check(CLI::IsMember({"total", "longest"}))
+      ->capture_default_str();
+  command.add_option("--vehicle", options.vehicles, fmt::format("One vehicle: {}", vehicle_grammar));
+  command.add_option("--fence", options.fences, "A file with zones (.plan, KML, GeoJSON) beside those of POINTS");
+  command.add_option("--wind", options.wind, "M/S@DEGREES, from where it blows, e.g. 5@270");
+  command.add_option("--speed", options.speed, "Metres per second, which the mission sets; it counts with 8 without")
+      ->check(CLI::Range(0.1, 1000.0));
+  command.add_option("--vertical-speed", options.vertical_speed, "Of climb and descent, metres per second")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command.add_option("--endurance", options.endurance_s, "Seconds in the air; unlimited unless given")
+      ->check(CLI::Range(1.0, 2.6e6));
+  command.add_option("--reserve", options.reserve_percent, "Percent of the endurance that is kept back")
+      ->check(CLI::Range(0.0, 99.0))
+      ->capture_default_str();
+  command.add_option("--margin", options.margin_m, "Metres to keep from the corners of zones")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  command.add_option("--altitude-max", options.altitude_max_m, "Highest altitude, metres")->capture_default_str();
+  command.add_option("--altitude-min", options.altitude_min_m, "Lowest altitude, metres")->capture_default_str();
+  command.add_option("--layer", options.layer_m, "Metres of altitude between routes that cross")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  command.add_option("--wait", options.wait_s, "Seconds between take-offs of vehicles whose routes cross")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  command.add_option("--solver", options.solver, "best, or sa: simulated annealing, to compare with")
+      ->check(CLI::IsMember({"best", "sa"}))
+      ->capture_default_str();
+  command.add_option("--seconds", options.seconds, "Longest time to think")
+      ->check(CLI::Range(0.01, 86400.0))
+      ->capture_default_str();
+  command.add_option("--tries", options.tries, "Longest work to do; the same tries and seed give the same plan")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Of the solver's chances")->capture_default_str();
+  command.add_flag("--pictures", options.pictures, "Take a picture at each point");
+  command.add_flag("--json", options.json, "One JSON object per vehicle and per point left out");
+  command.add_flag("--quiet", options.quiet, "No progress");
+}
+
+planning::Task task_from(const PlanOptions& options, planning::MissionFile content) {
+  planning::Task task;
+  task.fence = std::move(content.mission);
+  for (const auto& file : options.fences) add_fence(task.fence, file);
+  task.points = std::move(content.points);
+  if (task.points.empty())
+    throw Failure{
+        fmt::format("{}: there are no points in it: a mission is given as points of interest", options.input.file)};
+  const auto vehicles = options.vehicles.empty() ? std::vector<std::string>{""} : options.vehicles;
+  for (const auto& text : vehicles) task.crafts.push_back(craft_from(options, text, task.points.front().place));
+  task.margin = Metres{options.margin_m};
+  task.wind = wind_from(options.wind);
+  task.altitude = {Metres{options.input.altitude_m.value_or(40)}, vehicle::AltitudeFrame::home};
+  task.objective = options.objective == "total" ? planning::Objective::total : planning::Objective::longest;
+  return task;
+}
+
+}  // namespace ponte::app
