@@ -88,10 +88,10 @@ TEST(Interpret, KnowsTheItemsWithoutAPlace) {
 }
 
 TEST(HasPlace, OfCommandsOnTheirLimits) {
-  for (const std::uint16_t command : {16, 22, 82, 195, 5000, 5004, 31000, 31009})
-    EXPECT_TRUE(has_place(command)) << command;
-  for (const std::uint16_t command : {20, 93, 177, 206, 4999, 5005, 30999, 31010})
-    EXPECT_FALSE(has_place(command)) << command;
+  constexpr std::uint16_t placed[]{16, 22, 82, 195, 5000, 5004, 31000, 31009};
+  constexpr std::uint16_t placeless[]{20, 93, 177, 206, 4999, 5005, 30999, 31010};
+  for (const auto command : placed) EXPECT_TRUE(has_place(command)) << command;
+  for (const auto command : placeless) EXPECT_FALSE(has_place(command)) << command;
 }
 
 TEST(Interpret, LoitersInEachWay) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <zip.h>
 
+#include <array>
 #include <memory>
 #include <utility>
 

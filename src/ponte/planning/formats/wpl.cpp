@@ -7,13 +7,12 @@
 #include "ponte/planning/formats/refusal.hpp"
 #include "ponte/planning/formats/text.hpp"
 
-#include "ponte/core/degrees.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
