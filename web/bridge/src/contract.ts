@@ -74,6 +74,7 @@ export interface MavlinkMessage {
   system: number;
   component: number;
   sequence: number;
+  instance?: { field: string; value: number };
   fields?: Record<string, MavlinkValue>;
   hex: string;
 }
@@ -115,7 +116,6 @@ export interface Crossing {
 export interface MavlinkRow {
   count: number;
   rate_hz: number;
-  instance?: number;
   last: MavlinkMessage;
 }
 

@@ -1,5 +1,6 @@
 import type { Crossing, DliMessage, MavlinkMessage } from '../contract';
 import { Comparison, instrumentKeys, instruments, type InstrumentKey, type Reading } from './instruments';
+import { mavlinkKey } from './traffic';
 
 /** What crosses the bridge again and again: one MAVLink message type of one component, or one DLI message of the clock. */
 export interface Flow {
@@ -46,7 +47,8 @@ export class Crossings {
   private addOne(crossing: Crossing): void {
     const { mavlink, dli } = crossing;
     if (mavlink !== undefined) {
-      this.put(`${mavlink.component}.${mavlink.id}`, mavlink.name, crossing);
+      const { name, instance } = mavlink;
+      this.put(mavlinkKey(mavlink), instance === undefined ? name : `${name} ${instance.value}`, crossing);
       this.mavlinkByName.set(mavlink.name, mavlink);
       for (const comparison of this.comparisons) comparison.onMavlink(mavlink);
     }
@@ -58,7 +60,6 @@ export class Crossings {
   }
 
   private put(key: string, title: string, crossing: Crossing): void {
-    // A message whose news waits for the next DLI message of its kind keeps its place in the list.
     this.byKey.set(key, { key, title, crossing });
   }
 }

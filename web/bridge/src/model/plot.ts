@@ -1,9 +1,10 @@
 import type { DliMessage, MavlinkMessage } from '../contract';
 import { Series } from './series';
+import { mavlinkKey } from './traffic';
 
 /** A field that is plotted: of a MAVLink message (an element, where it is an array), or of a DLI message. */
 export type PlotSource =
-  | { side: 'mavlink'; link: number; system: number; component: number; id: number; name: string; field: string; element?: number; instance?: [string, number] }
+  | { side: 'mavlink'; sample: MavlinkMessage; field: string; element?: number } // `sample`: any message of the kind
   | { side: 'dli'; source: string; number: number; field: string };
 
 const capacity = 3000;
@@ -17,22 +18,15 @@ export class Plot {
   get title(): string {
     const { source } = this;
     if (source.side === 'dli') return `#${source.number} ${source.field} (${source.source})`;
+    const { name, instance, system, component } = source.sample;
     const element = source.element === undefined ? '' : `[${source.element}]`;
-    const instance = source.instance === undefined ? '' : ` ${source.instance[0]}=${source.instance[1]}`;
-    return `${source.name}${instance} ${source.field}${element} (${source.system}/${source.component})`;
+    return `${name}${instance ? ` ${instance.value}` : ''} ${source.field}${element} (${system}/${component})`;
   }
 
   onMavlink(message: MavlinkMessage): void {
     const { source } = this;
-    if (source.side !== 'mavlink' || message.fields === undefined) return;
-    const isIt =
-      message.link === source.link &&
-      message.system === source.system &&
-      message.component === source.component &&
-      message.id === source.id &&
-      (source.instance === undefined || message.fields[source.instance[0]] === source.instance[1]);
-    if (!isIt) return;
-    const field = message.fields[source.field];
+    if (source.side !== 'mavlink' || mavlinkKey(message) !== mavlinkKey(source.sample)) return;
+    const field = message.fields?.[source.field];
     const value = Array.isArray(field) ? field[source.element ?? 0] : field;
     this.series.add(message.time_us / 1e6, numberOrGap(value));
   }

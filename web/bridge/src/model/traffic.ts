@@ -1,4 +1,4 @@
-import type { DliRow, MavlinkRow, Reject, Sender, Traffic } from '../contract';
+import type { DliMessage, DliRow, MavlinkMessage, MavlinkRow, Reject, Sender, Traffic } from '../contract';
 
 /** The inspector's table: the newest row of every key. */
 export class TrafficTable {
@@ -8,8 +8,8 @@ export class TrafficTable {
   private readonly rejectRows = new Map<string, Reject>();
 
   add(traffic: Traffic): void {
-    for (const row of traffic.mavlink) this.mavlinkRows.set(mavlinkKey(row), row);
-    for (const row of traffic.dli) this.dliRows.set(dliKey(row), row);
+    for (const row of traffic.mavlink) this.mavlinkRows.set(mavlinkKey(row.last), row);
+    for (const row of traffic.dli) this.dliRows.set(dliKey(row.last), row);
     for (const row of traffic.senders) this.senderRows.set(`${row.link}.${row.system}.${row.component}`, row);
     for (const row of traffic.rejects) this.rejectRows.set(`${row.side}.${row.link}.${row.reason}`, row);
   }
@@ -25,7 +25,7 @@ export class TrafficTable {
         a.last.system - b.last.system ||
         a.last.component - b.last.component ||
         a.last.id - b.last.id ||
-        (a.instance ?? 0) - (b.instance ?? 0),
+        (a.last.instance?.value ?? 0) - (b.last.instance?.value ?? 0),
     );
   }
 
@@ -47,12 +47,13 @@ export class TrafficTable {
   }
 }
 
-export function mavlinkKey({ instance, last }: MavlinkRow): string {
-  return `${last.link}.${last.system}.${last.component}.${last.id}.${instance ?? ''}`;
+/** What tells the messages of one row from those of others. */
+export function mavlinkKey({ link, system, component, id, instance }: MavlinkMessage): string {
+  return `${link}.${system}.${component}.${id}.${instance?.value ?? ''}`;
 }
 
-export function dliKey({ last }: DliRow): string {
-  return `${last.source}.${last.number}`;
+export function dliKey({ source, number }: DliMessage): string {
+  return `${source}.${number}`;
 }
 
 function matches(filter: string, text: string): boolean {
