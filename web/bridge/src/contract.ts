@@ -174,8 +174,15 @@ export interface Study {
   detail?: string;
 }
 
+export interface Hello {
+  kind: 'hello';
+  version: string;
+  role: Role;
+  session: boolean;
+}
+
 export type ServerMessage =
-  | { kind: 'hello'; version: string; role: Role }
+  | Hello
   | Status
   | { kind: 'events'; events: Event[] }
   | { kind: 'crossings'; crossings: Crossing[] }

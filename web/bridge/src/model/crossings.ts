@@ -7,6 +7,7 @@ export interface Flow {
   key: string;
   title: string;
   crossing: Crossing; // the newest
+  numbers: number[]; // of the DLI messages that it has become so far, in the order of their first time
 }
 
 /** The newest crossings of the watched vehicle, and its instruments on both sides. */
@@ -22,7 +23,7 @@ export class Crossings {
 
   /** Those that become DLI messages first, then by name. */
   flows(): Flow[] {
-    const rank = ({ crossing }: Flow) => (crossing.mavlink === undefined ? 2 : crossing.dli.length > 0 ? 0 : 1);
+    const rank = ({ crossing, numbers }: Flow) => (crossing.mavlink === undefined ? 2 : numbers.length > 0 ? 0 : 1);
     return [...this.byKey.values()].sort((a, b) => rank(a) - rank(b) || a.title.localeCompare(b.title));
   }
 
@@ -60,6 +61,8 @@ export class Crossings {
   }
 
   private put(key: string, title: string, crossing: Crossing): void {
-    this.byKey.set(key, { key, title, crossing });
+    const before = this.byKey.get(key)?.numbers ?? [];
+    const added = crossing.dli.map((message) => message.number).filter((number) => !before.includes(number));
+    this.byKey.set(key, { key, title, crossing, numbers: [...before, ...added] });
   }
 }
