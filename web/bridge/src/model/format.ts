@@ -14,9 +14,9 @@ export function shownText({ value, unit, decimals }: Shown): string {
   return `${fixed(value, decimals)}${space}${unit}`;
 }
 
-/** As many digits as a person needs; exact integers stay as they are. */
+/** Every digit that means something, without those that binary fractions add. */
 export function plain(value: number): string {
-  return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(7)));
+  return String(Number(value.toPrecision(12)));
 }
 
 /** What a MAVLink field says. */

@@ -8,16 +8,20 @@ interface Traveller {
   to: string;
 }
 
+/** How long the animation of the style sheet takes. */
+const crossing_ms = 4000;
 /** Travellers start at least this far apart, so that they can be read. */
-const spacing_ms = 900;
-const travellersAtOnce = 4;
+const spacing_px = 150;
+const travellersAtOnce = 6;
 
 /** The bridge: messages go over it and change their name in the middle; while it is open nothing crosses. */
 export function BridgeDrawing({ isOpen }: { isOpen: boolean }) {
   const travellers = useSignal<Traveller[]>([]);
+  const place = useRef<HTMLDivElement>(null);
   const lastStart = useRef(0);
   const turn = useRef(0);
   useSignalEffect(() => {
+    const spacing_ms = (crossing_ms * spacing_px) / (place.current?.clientWidth ?? 1);
     if (motion.value === 0 || document.hidden || performance.now() - lastStart.current < spacing_ms) return;
     const flows = live.crossings.flows().filter(({ numbers }) => numbers.length > 0);
     const flow = flows[turn.current++ % flows.length];
@@ -28,7 +32,7 @@ export function BridgeDrawing({ isOpen }: { isOpen: boolean }) {
     travellers.value = [...travellers.peek(), traveller].slice(-travellersAtOnce);
   });
   return (
-    <div class={`bridge-drawing ${isOpen ? 'is-open' : ''}`} aria-hidden="true">
+    <div ref={place} class={`bridge-drawing ${isOpen ? 'is-open' : ''}`} aria-hidden="true">
       <svg viewBox="0 0 600 110" preserveAspectRatio="xMidYMax meet">
         <path class="cable" d="M0 78 Q75 74 120 14 Q300 120 480 14 Q525 74 600 78" />
         <path class="hangers" d={hangers()} />

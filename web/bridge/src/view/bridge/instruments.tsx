@@ -26,15 +26,16 @@ function Dials() {
   void motion.value;
   const { roll, pitch, heading, altitude, speed, battery } = live.crossings.readings();
   const system = settings.units.value;
-  const length = (value: number) => shown('length', value, system).value;
-  const velocity = (value: number) => shown('speed', value, system).value;
+  const length = (value: number) => shown('length', value, system);
+  const velocity = (value: number) => shown('speed', value, system);
+  const percent = (value: number) => ({ value, unit: '%' });
   return (
     <>
       <AttitudeIndicator roll={roll} pitch={pitch} />
       <HeadingRose heading={heading} />
       <Tape label={t('instruments.speed')} reading={speed} scale={velocity} step={system === 'si' ? 5 : 10} />
       <Tape label={t('instruments.altitude')} reading={altitude} scale={length} step={system === 'aviation' ? 100 : 20} />
-      <Tape label={t('instruments.battery')} reading={battery} scale={(value) => value} step={20} />
+      <Tape label={t('instruments.battery')} reading={battery} scale={percent} step={20} />
     </>
   );
 }
@@ -85,6 +86,7 @@ function textOf(key: InstrumentKey, value: number | undefined): string {
   if (value === undefined) return '–';
   const { quantity } = instruments[key];
   if (quantity === 'percent') return `${fixed(value, 0)}\u00a0%`;
+  if (key === 'heading') return `${fixed((degrees(value) + 360) % 360, 2)}°`;
   if (quantity === 'angle') return `${fixed(degrees(value), 2)}°`;
   return shownText(shown(quantity, value, settings.units.value));
 }

@@ -7,7 +7,6 @@ import { Panel } from '../shared/panel';
 
 /** The curves of the chosen fields, each in a chart of its own since their units differ. */
 export function Plots() {
-  void reading.value;
   return (
     <Panel title={t('inspector.plots')}>
       {plots.value.length === 0 && <p class="muted">{t('inspector.plots.none')}</p>}
@@ -21,6 +20,7 @@ export function Plots() {
 }
 
 function PlotView({ plot }: { plot: Plot }) {
+  void reading.value;
   const { title, source, series } = plot;
   const newest = series.values.at(-1);
   return (

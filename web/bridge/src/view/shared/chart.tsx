@@ -1,5 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type uPlot from 'uplot';
+import { plain } from '../../model/format';
 import { settings } from '../../state/settings';
 
 /** One curve: its name, and which colour and dash of the style sheet it has. */
@@ -55,7 +56,9 @@ function options(props: ChartProps, element: HTMLElement): uPlot.Options {
   // The canvas needs a plain colour, which only a real property gives.
   const colour = (name: string) => {
     element.style.color = `var(--${name})`;
-    return getComputedStyle(element).color;
+    const resolved = getComputedStyle(element).color;
+    element.style.color = '';
+    return resolved;
   };
   const axis = { stroke: colour('ink'), grid: { stroke: colour('line'), width: 1 }, ticks: { stroke: colour('line') } };
   return {
@@ -64,11 +67,11 @@ function options(props: ChartProps, element: HTMLElement): uPlot.Options {
     cursor: { y: false },
     scales: { x: { time: props.time }, y: props.logarithmic ? { distr: 3 } : {} },
     axes: [
-      axis,
+      { ...axis, space: 90, values: (_, values) => values.map((value) => xText(props, value)) },
       { ...axis, size: 64, values: (_, values) => values.map((value) => (value === null ? '' : props.valueText(value))) },
     ],
     series: [
-      {},
+      { label: props.time ? 'UTC' : '#', value: (_, value) => (value == null ? '–' : xText(props, value)) },
       ...props.curves.map(({ label, style: name, dash }) => ({
         label,
         stroke: colour(name),
@@ -79,4 +82,8 @@ function options(props: ChartProps, element: HTMLElement): uPlot.Options {
       })),
     ],
   };
+}
+
+function xText({ time }: ChartProps, value: number): string {
+  return time ? new Date(value * 1000).toISOString().slice(11, 21) : plain(value);
 }

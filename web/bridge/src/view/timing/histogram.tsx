@@ -41,7 +41,7 @@ export function Histogram({ timing }: { timing: Timing }) {
         </svg>
       </div>
       <p class="muted">
-        {t('timing.budget')}: {status.value?.budget_ms} ms
+        {t('timing.logarithmic')} {t('timing.budget')}: {status.value?.budget_ms} ms
       </p>
     </>
   );
