@@ -1,5 +1,6 @@
 #include "common/failure.hpp"
 #include "inspect/inspect.hpp"
+#include "latency/latency.hpp"
 #include "ports/ports.hpp"
 #include "sim/sim.hpp"
 #include "translate/translate.hpp"
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   app.fallthrough();
   app.require_subcommand(1);
   ponte::app::add_inspect(app);
+  ponte::app::add_latency(app);
   ponte::app::add_ports(app);
   ponte::app::add_sim(app);
   ponte::app::add_translate(app);

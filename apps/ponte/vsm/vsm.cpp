@@ -4,6 +4,7 @@
 #include "common/json_line.hpp"
 #include "common/log.hpp"
 #include "common/outgoing.hpp"
+#include "common/realtime.hpp"
 #include "common/vsm_options.hpp"
 #include "ponte/transport/loop.hpp"
 #include "vsm/live_vsm.hpp"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace ponte::app {
 namespace {
@@ -23,6 +25,7 @@ struct Options {
   bool every_sample{};
   bool listen_only{};
   double refresh_s{5};
+  std::optional<int> realtime;
   LogOptions log;
 };
 
@@ -48,6 +51,7 @@ void run(const Options& options) {
     });
   loop.on_signal([&](int) { loop.stop(); });
   vsm.on_finished([&] { loop.stop(); });
+  if (options.realtime) enter_realtime(*options.realtime);
   loop.run();
   vsm.log_counters();
 }
@@ -69,6 +73,7 @@ void add_vsm(CLI::App& app) {
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command->add_flag("--listen-only", options->listen_only, "Do not ask vehicles for their streams");
+  add_realtime_option(*command, options->realtime);
   add_log_options(*command, options->log);
   command->footer("Example:\n  ponte vsm --vehicle udpin://0.0.0.0:14550 --dli udpmulticast://239.255.45.86:45860");
   command->callback([options] { run(*options); });
