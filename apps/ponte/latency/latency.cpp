@@ -11,7 +11,7 @@
 #include "latency/report.hpp"
 #include "latency/study_run.hpp"
 
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 #include <CLI/CLI.hpp>
 
 #include <unistd.h>
@@ -53,8 +53,10 @@ StudyPlan plan_from(const Options& options) {
   return plan;
 }
 
-std::vector<vsm::LatencyCondition> conditions_of(const Options& options) {
+std::vector<vsm::LatencyCondition> conditions_of(const Options& options, WallTime begin) {
   auto conditions = conditions_of_this_machine();
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(begin);
+  conditions.push_back({"time", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", seconds)});
   conditions.push_back({"vehicle", options.vehicle});
   conditions.push_back({"dli", options.dli.empty() ? "a socket of our own on the loopback interface" : options.dli});
   conditions.push_back({"samples", fmt::format("{}", options.samples)});
@@ -91,7 +93,7 @@ void print_summary(std::string_view name, const vsm::SeriesSummary& summary) {
 }
 
 void print_samples(const vsm::LatencyStudy& study) {
-  const auto& quantities = vsm::latency_quantities();
+  const auto quantities = vsm::latency_quantities();
   fmt::print("sample");
   for (const auto& quantity : quantities) fmt::print("{:>{}}", quantity.name, quantity.name.size() + 3);
   fmt::print("\n");
@@ -129,11 +131,12 @@ void save(const std::string& file, const std::string& text) {
 
 void run(const Options& options) {
   StudyRun run{plan_from(options), make_log(options.log), [&](std::size_t count) { show_progress(count, options); }};
+  const auto begin = transport::Loop::wall();
   auto data = run.run();
   const vsm::LatencyStudy study{.limit = duration_from(std::chrono::duration<double, std::milli>{options.limit_ms}),
                                 .samples = std::move(data.samples),
                                 .wakeups_late_us = std::move(data.wakeups_late_us),
-                                .conditions = conditions_of(options)};
+                                .conditions = conditions_of(options, begin)};
   options.json ? print_json(study) : print_tables(study);
   JsonText json;
   append_study(json, study);

@@ -63,8 +63,9 @@ constexpr std::string_view meaning = R"(<h2>What is measured</h2>
 <p>Each sample is one MAVLink ATTITUDE that became one STANAG 4586 message #4000, presented both ways: <b>direct</b> is
 receive, decode, present; <b>converted</b> is the same message received, decoded, translated, encoded, sent and presented
 from the bytes of the DLI message; <b>delay</b> is converted less direct. Presenting is writing the message out as a line
-of JSON; both are written once before, so that neither warms the caches for the other. The stamps are of one monotonic clock, beginning with the last byte received. The network beyond the sending
-socket is not part of it. The greatest delay is judged.</p>
+of JSON; both are written once before, so that neither warms the caches for the other. The stamps are of one monotonic
+clock, beginning with the last byte received. The network beyond the sending socket is not part of it. The greatest
+delay is judged.</p>
 )";
 
 void append_row(std::string& html, std::string_view name, std::string_view text, const SeriesSummary& summary) {
@@ -85,7 +86,7 @@ constexpr std::string_view table_end = "</tbody></table></div>\n";
 void append_times(std::string& html, const LatencyStudy& study) {
   html += "<h2>Times</h2>\n";
   html += table_head;
-  for (const auto& quantity : std::span{vsm::latency_quantities()}.first(times))
+  for (const auto& quantity : vsm::latency_quantities().first(times))
     append_row(html, quantity.name, quantity.meaning, summary_of(study, quantity.of));
   html += table_end;
 }
@@ -93,7 +94,7 @@ void append_times(std::string& html, const LatencyStudy& study) {
 void append_stages(std::string& html, const LatencyStudy& study) {
   html += "<h2>Stages</h2>\n";
   html += table_head;
-  for (const auto& quantity : std::span{vsm::latency_quantities()}.subspan(times)) {
+  for (const auto& quantity : vsm::latency_quantities().subspan(times)) {
     std::string name{quantity.name};
     std::ranges::replace(name, '_', ' ');
     append_row(html, name, quantity.meaning, summary_of(study, quantity.of));
@@ -103,8 +104,8 @@ void append_stages(std::string& html, const LatencyStudy& study) {
   html += table_end;
 }
 
-ChartLine line_of(const LatencyStudy& study, std::string_view name, Mark mark, Duration (*of)(const LatencySample&)) {
-  return {.name = name, .style = name, .mark = mark, .values = series_of(study, of)};
+ChartLine line_of(const LatencyStudy& study, const vsm::LatencyQuantity& quantity, Mark mark) {
+  return {.name = quantity.name, .style = quantity.name, .mark = mark, .values = series_of(study, quantity.of)};
 }
 
 ChartLine trend_of(const SeriesSummary& summary) {
@@ -132,14 +133,13 @@ void append_chart(std::string& html, std::string_view id, std::string_view title
 }
 
 void append_charts(std::string& html, const LatencyStudy& study) {
-  const auto direct = line_of(study, "direct", Mark::circle, [](const LatencySample& s) { return s.direct(); });
-  const auto converted =
-      line_of(study, "converted", Mark::square, [](const LatencySample& s) { return s.converted(); });
-  const auto delay = line_of(study, "delay", Mark::triangle, [](const LatencySample& s) { return s.delay(); });
+  const auto quantities = vsm::latency_quantities();
+  const auto direct = line_of(study, quantities[0], Mark::circle);
+  const auto converted = line_of(study, quantities[1], Mark::square);
+  const auto delay = line_of(study, quantities[2], Mark::triangle);
   append_chart(html, "times", "Both times", {direct, converted});
   append_chart(html, "times-and-delay", "Both times and the delay", {direct, converted, delay});
-  const auto summary = vsm::summarise(delay.values);
-  append_chart(html, "trend", "The delay and its trend", {delay, trend_of(summary)});
+  append_chart(html, "trend", "The delay and its trend", {delay, trend_of(vsm::summarise(delay.values))});
   fmt::format_to(std::back_inserter(html), "<p>{}</p>\n", trend_text(study));
 }
 

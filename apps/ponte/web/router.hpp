@@ -23,6 +23,11 @@ class WebActions {
   /// False: there is no such link.
   [[nodiscard]] virtual bool disconnect(std::uint32_t link) = 0;
   virtual void convert(bool on) = 0;
+  /// Starts a latency study. False: one is running.
+  [[nodiscard]] virtual bool start_study(std::uint64_t samples, double limit_ms) = 0;
+  virtual void stop_study() = 0;
+  /// The last finished study as "json", "csv" or "html"; nothing when there is none.
+  [[nodiscard]] virtual std::optional<std::string> study_result(std::string_view format) = 0;
 };
 
 /// Names that a Host header may have.

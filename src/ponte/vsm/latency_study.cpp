@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace ponte::vsm {
@@ -12,7 +13,7 @@ namespace {
 
 using Sample = LatencySample;
 
-constexpr std::array<LatencyQuantity, latency_quantity_count> quantities{{
+constexpr std::array<LatencyQuantity, 8> quantities{{
     {"direct", "receive, decode, present", [](const Sample& s) { return s.direct(); }},
     {"converted", "the same, and translate, encode, send", [](const Sample& s) { return s.converted(); }},
     {"delay", "converted less direct", [](const Sample& s) { return s.delay(); }},
@@ -61,7 +62,7 @@ void append(JsonText& json, std::string_view name, const SeriesSummary& summary)
 
 }  // namespace
 
-const std::array<LatencyQuantity, latency_quantity_count>& latency_quantities() { return quantities; }
+std::span<const LatencyQuantity> latency_quantities() { return quantities; }
 
 double microseconds(Duration time) { return static_cast<double>(time.count()) / 1000; }
 

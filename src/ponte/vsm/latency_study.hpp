@@ -4,9 +4,9 @@
 #include "ponte/core/time.hpp"
 #include "ponte/vsm/series.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,14 +37,14 @@ struct LatencySample {
   [[nodiscard]] Duration delay() const { return converted() - direct(); }
 };
 
-/// A time that a sample has: the three of the study, then those that they are made of.
+/// A time that a sample has.
 struct LatencyQuantity {
   std::string_view name;     ///< e.g. "direct"
   std::string_view meaning;  ///< a few words for people, e.g. "receive, decode, present"
   Duration (*of)(const LatencySample&);
 };
-inline constexpr std::size_t latency_quantity_count = 8;
-[[nodiscard]] const std::array<LatencyQuantity, latency_quantity_count>& latency_quantities();
+/// direct, converted and delay, then the stages that they are made of.
+[[nodiscard]] std::span<const LatencyQuantity> latency_quantities();
 
 /// Something a reader has to know to judge the figures, e.g. the kernel.
 struct LatencyCondition {
