@@ -32,8 +32,10 @@ struct ServerState {
   std::set<StreamClient*> clients{};
 };
 
-/// Serves one connection to its end.
-[[nodiscard]] transport::asio::awaitable<void> serve(std::shared_ptr<ServerState> state,
-                                                     transport::asio::ip::tcp::socket socket);
+/// Serve one connection to its end; `is_refused` tells it only that there are too many.
+[[nodiscard]] transport::asio::awaitable<void> serve_plain(std::shared_ptr<ServerState> state,
+                                                           transport::asio::ip::tcp::socket socket, bool is_refused);
+[[nodiscard]] transport::asio::awaitable<void> serve_tls(std::shared_ptr<ServerState> state,
+                                                         transport::asio::ip::tcp::socket socket, bool is_refused);
 
 }  // namespace ponte::app

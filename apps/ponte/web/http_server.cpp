@@ -49,6 +49,31 @@ std::optional<asio::ssl::context> tls_from(const HttpServerOptions& options) {
   return context;
 }
 
+/// Counts a connection while it lives.
+class Counted {
+ public:
+  explicit Counted(std::size_t& count) : count_{count} { ++count_; }
+  ~Counted() { --count_; }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+
+ private:
+  std::size_t& count_;
+};
+
+asio::awaitable<void> serve(std::shared_ptr<ServerState> state, tcp::socket socket) {
+  const auto before = state->counters.connections;
+  if (before >= ServerState::connection_limit + ServerState::refusal_limit) co_return;
+  const Counted counted{state->counters.connections};
+  const bool is_refused = before >= ServerState::connection_limit;
+  error_code error;
+  socket.set_option(tcp::no_delay{true}, error);
+  if (state->tls)
+    co_await serve_tls(state, std::move(socket), is_refused);
+  else
+    co_await serve_plain(state, std::move(socket), is_refused);
+}
+
 }  // namespace
 
 class HttpServer::Acceptor : public std::enable_shared_from_this<Acceptor> {

@@ -90,7 +90,7 @@ class WebSocket final : public StreamClient, public std::enable_shared_from_this
 
   std::shared_ptr<ServerState> state_;
   std::unique_ptr<vsm::view::ClientFeed> feed_;
-  boost::beast::websocket::stream<Stream> socket_;
+  boost::beast::websocket::stream<Stream, false> socket_;  // without compression
   vsm::view::SharedText text_;  ///< on its way
   bool is_sending_{};
   bool is_closing_{};

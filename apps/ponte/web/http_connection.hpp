@@ -1,48 +1,34 @@
-#include "web/connection.hpp"
+#pragma once
 
 #include "web/beast_request.hpp"
+#include "web/connection.hpp"
 #include "web/router.hpp"
 #include "web/web_socket.hpp"
 
-#include <boost/asio/ssl/error.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
 
+#include <array>
 #include <chrono>
+#include <optional>
 #include <utility>
 
-namespace ponte::app {
-namespace {
+/// HTTP on any stream of Asio. Instantiated once for plain and once for encrypted connections, in sources of their own:
+/// it takes a compiler long.
+namespace ponte::app::connection {
 
 using namespace transport;
 using namespace std::chrono_literals;
 namespace beast = boost::beast;
 namespace http = beast::http;
-using PlainStream = beast::tcp_stream;
-using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
-constexpr std::uint32_t header_size_max = 8192;
-constexpr std::uint64_t body_size_max = 4096;
-constexpr auto request_limit = 30s;  ///< until a request has come, the pause before it included
-constexpr auto answer_limit = 10s;
-constexpr auto farewell_limit = 1s;
-
-using Parser = http::request_parser<http::string_body>;
-
-/// Counts a connection while it lives.
-class Counted {
- public:
-  explicit Counted(std::size_t& count) : count_{count} { ++count_; }
-  ~Counted() { --count_; }
-  Counted(const Counted&) = delete;
-  Counted& operator=(const Counted&) = delete;
-
- private:
-  std::size_t& count_;
-};
+inline constexpr std::uint32_t header_size_max = 8192;
+inline constexpr std::uint64_t body_size_max = 4096;
+inline constexpr auto request_limit = 30s;  ///< until a request has come, the pause before it included
+inline constexpr auto answer_limit = 10s;
+inline constexpr auto farewell_limit = 1s;
 
 /// The answer to what could not be read as a request; nothing if there is nobody to answer.
-std::optional<HttpResponse> answer_to(const error_code& error) {
+inline std::optional<HttpResponse> answer_to(const error_code& error) {
   if (error == http::error::header_limit)
     return problem(431, "too_large", "the head of a request may have 8192 bytes");
   if (error == http::error::body_limit) return problem(413, "too_large", "the body of a request may have 4096 bytes");
@@ -77,7 +63,7 @@ asio::awaitable<void> say_goodbye(Stream& stream) {
   error_code error;
   auto token = asio::redirect_error(asio::use_awaitable, error);
   socket.expires_after(farewell_limit);
-  if constexpr (std::is_same_v<Stream, TlsStream>) co_await stream.async_shutdown(token);
+  if constexpr (requires { stream.async_shutdown(token); }) co_await stream.async_shutdown(token);
   error_code ignored;
   socket.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   std::array<char, 4096> rest;
@@ -86,7 +72,7 @@ asio::awaitable<void> say_goodbye(Stream& stream) {
 }
 
 /// What a request gets, if it does not become a WebSocket.
-HttpResponse answer(ServerState& state, const HttpRequest& request, bool is_refused) {
+inline HttpResponse answer(ServerState& state, const HttpRequest& request, bool is_refused) {
   if (is_refused) return problem(503, "busy", "there are too many connections");
   ++state.counters.requests;
   return state.site->handle(state.loop.now(), request);
@@ -98,7 +84,7 @@ asio::awaitable<void> answer_requests(std::shared_ptr<ServerState> state, Stream
   beast::flat_buffer buffer;
   bool goes_on = true;
   while (goes_on) {
-    Parser parser;
+    http::request_parser<http::string_body> parser;
     parser.header_limit(header_size_max);
     parser.body_limit(body_size_max);
     error_code error;
@@ -130,25 +116,4 @@ asio::awaitable<void> answer_requests(std::shared_ptr<ServerState> state, Stream
   co_await say_goodbye(stream);
 }
 
-}  // namespace
-
-asio::awaitable<void> serve(std::shared_ptr<ServerState> state, asio::ip::tcp::socket socket) {
-  const auto before = state->counters.connections;
-  if (before >= ServerState::connection_limit + ServerState::refusal_limit) co_return;
-  const Counted counted{state->counters.connections};
-  const bool is_refused = before >= ServerState::connection_limit;
-  error_code error;
-  socket.set_option(asio::ip::tcp::no_delay{true}, error);
-  PlainStream plain{std::move(socket)};
-  if (!state->tls) {
-    co_await answer_requests(state, std::move(plain), is_refused);
-    co_return;
-  }
-  TlsStream stream{std::move(plain), *state->tls};
-  auto token = asio::redirect_error(asio::use_awaitable, error);
-  beast::get_lowest_layer(stream).expires_after(answer_limit);
-  co_await stream.async_handshake(asio::ssl::stream_base::server, token);
-  if (!error) co_await answer_requests(state, std::move(stream), is_refused);
-}
-
-}  // namespace ponte::app
+}  // namespace ponte::app::connection
