@@ -183,7 +183,7 @@ HttpResponse BridgeServer::connect(const std::string& text) {
     log_->info("{} is opened from the page", transport::to_text(*endpoint));
     look_at_vsm();
     JsonText json;
-    append_vehicle_link(json, {.id = id, .endpoint = transport::to_text(*endpoint)});
+    vsm::view::append_vehicle_link(json, {.id = id, .endpoint = transport::to_text(*endpoint)});
     return {.status = 201, .body = shared_text(json.text())};
   } catch (const Failure& failure) {
     return problem(409, "busy", failure.what());

@@ -2,6 +2,7 @@
 
 #include "ponte/core/assert.hpp"
 
+#define ZLIB_CONST  // what is read is constant
 #include <zlib.h>
 
 namespace ponte::app {

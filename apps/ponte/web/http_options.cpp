@@ -1,6 +1,7 @@
 #include "web/http_options.hpp"
 
-#include "common/endpoint_option.hpp"
+#include "common/failure.hpp"
+#include "ponte/transport/endpoint.hpp"
 #include "web/token_file.hpp"
 
 #include <fmt/format.h>
