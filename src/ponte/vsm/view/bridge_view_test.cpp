@@ -118,7 +118,7 @@ TEST(BridgeView, InventedIdsMakeNothingGrow) {
                   mavlink::ComponentId{static_cast<std::uint8_t>(component)});
   auto since = std::uint64_t{};
   std::size_t rows = 0;
-  json rejects;
+  auto rejects = json::array();
   while (since < bench.view.traffic_revision()) {
     bench.view.on_tick(bench.now);
     const auto news = bench.view.traffic(since, bench.now);

@@ -135,7 +135,7 @@ TEST(ClientFeed, EveryEventIsToldOnce) {
       for (const auto& event : message["events"]) EXPECT_EQ(event["number"], next++);
     }
   }
-  EXPECT_EQ(next, 498U);
+  EXPECT_EQ(next, 499U) << "the last were not taken yet";
 }
 
 TEST(ClientFeed, NoticesThatEventsAreGone) {

@@ -14,7 +14,8 @@ TEST(RateMeter, TellsTheRateOfTheLastSeconds) {
   for (int i = 0; i < 100; ++i) meter.on_message(now += 100ms);
   EXPECT_NEAR(meter.hz(now), 10, 0.01);
   for (int i = 0; i < 100; ++i) meter.on_message(now += 20ms);
-  EXPECT_NEAR(meter.hz(now), 50, 20) << "half of the time that it looks back may still be the slow one";
+  EXPECT_GT(meter.hz(now), 10) << "it looks back on slow and fast times";
+  EXPECT_LT(meter.hz(now), 50);
   for (int i = 0; i < 300; ++i) meter.on_message(now += 20ms);
   EXPECT_NEAR(meter.hz(now), 50, 0.5);
   EXPECT_EQ(meter.count(), 500U);
