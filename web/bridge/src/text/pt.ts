@@ -9,7 +9,7 @@ export const pt: Record<TextKey, string> = {
   'nav.bridge': 'Ponte',
   'nav.inspector': 'Inspetor',
   'nav.timing': 'Tempos',
-  'nav.links': 'Ligações e eventos',
+  'nav.links': 'Ligações',
   'connection.connecting': 'A ligar',
   'connection.live': 'Em direto',
   'connection.lost': 'Perdida, a tentar de novo',
@@ -38,7 +38,7 @@ export const pt: Record<TextKey, string> = {
   'vehicles.label': 'Veículo',
   'vehicles.none': 'Ainda não há veículos.',
   'vehicles.none.hint':
-    'Ligue um em «Ligações e eventos», ou inicie um: ponte sim --endpoint udpout://127.0.0.1:14550',
+    'Ligue um em «Ligações», ou inicie um: ponte sim --endpoint udpout://127.0.0.1:14550',
   'vehicles.silent': 'em silêncio',
   'instruments.label': 'Instrumentos, os dois lados sobrepostos',
   'instruments.roll': 'Rolamento',

@@ -29,7 +29,7 @@ export function DliFieldRow(props: {
         >
           {field.name}
         </FieldButton>
-        <span class="muted bit">
+        <span class="muted aside">
           {t('pane.presence.bit')} {field.number - 1}
         </span>
       </th>
