@@ -1,6 +1,6 @@
 import type { Crossing, DliMessage, MavlinkMessage } from '../contract';
 import { Comparison, instrumentKeys, instruments, type InstrumentKey, type Reading } from './instruments';
-import { mavlinkKey } from './traffic';
+import { dliKey, mavlinkKey } from './traffic';
 
 /** What crosses the bridge again and again: one MAVLink message type of one component, or one DLI message of the clock. */
 export interface Flow {
@@ -54,7 +54,7 @@ export class Crossings {
       for (const comparison of this.comparisons) comparison.onMavlink(mavlink);
     }
     for (const message of dli) {
-      if (mavlink === undefined) this.put(`#${message.number}`, `#${message.number} ${message.name}`, crossing);
+      if (mavlink === undefined) this.put(dliKey(message), `#${message.number} ${message.name}`, crossing);
       this.dliByNumber.set(message.number, message);
       for (const comparison of this.comparisons) comparison.onDli(message);
     }

@@ -79,7 +79,13 @@ function onHello(message: Hello): void {
   void loadCatalogue();
 }
 
-function onCrossings(added: Crossing[]): void {
+// Some of another vehicle's may be under way still when the watched one changes.
+function isOfWatched({ mavlink }: Crossing): boolean {
+  return mavlink === undefined || (mavlink.link === vehicle.value?.link && mavlink.system === vehicle.value.system);
+}
+
+function onCrossings(crossings: Crossing[]): void {
+  const added = crossings.filter(isOfWatched);
   live.crossings.add(added);
   delays.value = withDelays(delays.value, added);
   for (const { mavlink, dli } of added) {
@@ -163,7 +169,9 @@ export async function start(): Promise<void> {
     if (vehicleId.value !== undefined) untracked(forgetVehicle);
   });
   const token = new URLSearchParams(location.hash.slice(1)).get('token');
-  if (token === null) return stream.open();
-  history.replaceState(null, '', location.pathname);
-  await signIn(token);
+  if (token !== null) {
+    history.replaceState(null, '', location.pathname);
+    await act(api.signIn(token));
+  }
+  stream.open();
 }
