@@ -209,18 +209,23 @@ export interface Problem {
   detail: string;
 }
 
+export interface StudySummary {
+  mean_us: number;
+  median_us: number;
+  p95_us: number;
+  min_us: number;
+  max_us: number;
+  standard_deviation_us: number;
+  slope_us_per_sample: number;
+}
+
+export const studySeries = ['direct', 'converted', 'delay'] as const;
+
 export interface StudyResult {
   limit_ms: number;
   pass: boolean;
-  samples: { sequence: number; direct_us: number; converted_us: number; delay_us: number }[];
-  summary: {
-    mean_us: number;
-    min_us: number;
-    max_us: number;
-    standard_deviation_us: number;
-    p95_us: number;
-    slope_us_per_sample: number;
-  };
+  summary: Record<(typeof studySeries)[number], StudySummary>;
+  samples: { index: number; direct_us: number; converted_us: number; delay_us: number }[];
 }
 
 export type MavlinkType =

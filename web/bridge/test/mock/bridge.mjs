@@ -4,6 +4,21 @@ import { Flight, stepsPerSecond } from './flight.mjs';
 const bounds_ns = [10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000, 2_000_000, 5_000_000, 10_000_000];
 const studySamplesPerStep = 2;
 
+function summaryOf(series) {
+  const sorted = [...series].sort((a, b) => a - b);
+  const mean_us = series.reduce((sum, value) => sum + value, 0) / series.length;
+  const squares = series.reduce((sum, value) => sum + (value - mean_us) ** 2, 0);
+  return {
+    mean_us,
+    median_us: sorted[Math.floor((sorted.length - 1) / 2)],
+    p95_us: sorted[Math.floor(0.95 * (sorted.length - 1))],
+    min_us: sorted[0],
+    max_us: sorted.at(-1),
+    standard_deviation_us: Math.sqrt(squares / (series.length - 1)),
+    slope_us_per_sample: 0.01,
+  };
+}
+
 export class Bridge {
   constructor({ vehicles, wrongRoll }) {
     const mapRoll = wrongRoll ? ({ yaw }) => yaw : undefined;
@@ -95,27 +110,18 @@ export class Bridge {
   }
 
   studyResult() {
-    const { samples: count, limit_ms } = this.study;
-    const samples = Array.from({ length: count }, (_, sequence) => {
-      const direct_us = 40 + (sequence % 7);
-      const converted_us = 90 + ((sequence * 13) % 29);
-      return { sequence, direct_us, converted_us, delay_us: converted_us - direct_us };
+    const samples = Array.from({ length: this.study.samples }, (_, sample) => {
+      const direct_us = 40 + (sample % 7);
+      const converted_us = 90 + ((sample * 13) % 29);
+      return { index: sample + 1, direct_us, converted_us, delay_us: converted_us - direct_us };
     });
-    const delays = samples.map(({ delay_us }) => delay_us).sort((a, b) => a - b);
-    const mean_us = delays.reduce((sum, delay) => sum + delay, 0) / count;
-    return {
-      limit_ms,
-      pass: delays.at(-1) <= limit_ms * 1000,
-      samples,
-      summary: {
-        mean_us,
-        min_us: delays[0],
-        max_us: delays.at(-1),
-        standard_deviation_us: Math.sqrt(delays.reduce((sum, delay) => sum + (delay - mean_us) ** 2, 0) / count),
-        p95_us: delays[Math.floor(0.95 * (count - 1))],
-        slope_us_per_sample: 0.01,
-      },
+    const { limit_ms } = this.study;
+    const summary = {
+      direct: summaryOf(samples.map(({ direct_us }) => direct_us)),
+      converted: summaryOf(samples.map(({ converted_us }) => converted_us)),
+      delay: summaryOf(samples.map(({ delay_us }) => delay_us)),
     };
+    return { limit_ms, pass: summary.delay.max_us < limit_ms * 1000, summary, samples };
   }
 
   status() {
