@@ -48,17 +48,29 @@ export class PageServer {
   }
 
   private async startPonte(path: string): Promise<() => Promise<void>> {
-    const tokens = Object.entries(this.options.tokens ?? {}).flatMap(([token, role]) => [`--${role}-token`, token]);
-    const child = spawn(path, ['demo', '--headless', '--http', `127.0.0.1:${this.port}`, '--web', web, ...tokens], {
+    const vehicles = `127.0.0.1:${await freePort()}`;
+    const http = ['--http', `127.0.0.1:${this.port}`, '--web-root', web];
+    const vsm = spawn(path, ['vsm', '--vehicle', `udpin://${vehicles}`, '--dli', 'udpout://127.0.0.1:9', ...http], {
       stdio: 'inherit',
+      env: { ...process.env, ...this.tokenVariables() },
     });
-    await untilHealthy(`${this.url}healthz`, child);
-    return () =>
-      new Promise((done) => {
-        child.once('exit', () => done());
-        child.kill('SIGTERM');
-      });
+    const sim = spawn(path, ['sim', '--endpoint', `udpout://${vehicles}`, '--arm-after', '1'], { stdio: 'inherit' });
+    await untilHealthy(`${this.url}healthz`, vsm);
+    return async () => void (await Promise.all([ended(sim), ended(vsm)]));
   }
+
+  private tokenVariables(): Record<string, string> {
+    const tokens = Object.entries(this.options.tokens ?? {});
+    return Object.fromEntries(tokens.map(([token, role]) => [`PONTE_HTTP_${role.toUpperCase()}_TOKEN`, token]));
+  }
+}
+
+function ended(child: ChildProcess): Promise<void> {
+  return new Promise((done) => {
+    if (child.exitCode !== null) return done();
+    child.once('exit', () => done());
+    child.kill('SIGTERM');
+  });
 }
 
 async function untilHealthy(address: string, child: ChildProcess): Promise<void> {
