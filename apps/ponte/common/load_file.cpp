@@ -92,7 +92,7 @@ LoadedFile load_file(const std::filesystem::path& path) {
   return {std::move(bytes), {}};
 }
 
-void save_file(const std::filesystem::path& path, const std::vector<std::byte>& bytes) {
+void save_file(const std::filesystem::path& path, Bytes bytes) {
   std::ofstream file{path, std::ios::binary};
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   file.close();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ponte/core/bytes.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -18,6 +20,6 @@ struct LoadedFile {
 [[nodiscard]] LoadedFile load_file(const std::filesystem::path& path);
 
 /// Writes a file whole. Throws `Failure`.
-void save_file(const std::filesystem::path& path, const std::vector<std::byte>& bytes);
+void save_file(const std::filesystem::path& path, Bytes bytes);
 
 }  // namespace ponte::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <spdlog/spdlog.h>
+#include <CLI/App.hpp>
 
 #include <memory>
 #include <string>
@@ -9,9 +10,15 @@ namespace ponte::app {
 
 using Log = std::shared_ptr<spdlog::logger>;
 
-inline constexpr const char* log_levels[] = {"trace", "debug", "info", "warn", "error", "off"};
+/// What a command line says of the lines on stderr.
+struct LogOptions {
+  std::string level{"info"};
+  bool quiet{};
+};
 
-/// Lines on stderr, one per change of state. `level`: one of `log_levels`.
-[[nodiscard]] Log make_log(const std::string& level);
+void add_log_options(CLI::App& command, LogOptions& options);
+
+/// Lines on stderr, one per change of state; with `quiet` only errors.
+[[nodiscard]] Log make_log(const LogOptions& options);
 
 }  // namespace ponte::app

@@ -2,6 +2,7 @@
 
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
+#include "common/log.hpp"
 #include "ponte/transport/pty.hpp"
 #include "sim/live_vehicle.hpp"
 
@@ -24,6 +25,7 @@ struct Options {
   double speedup{1};
   std::uint64_t seed{1};
   std::optional<double> arm_after_s;
+  LogOptions log;
 };
 
 /// "LAT,LON,ALT" in degrees and metres above sea level.
@@ -60,7 +62,8 @@ void run(const Options& options) {
   auto link = options.pty.empty() ? transport::open_link(loop, endpoint_from("--endpoint", options.endpoint), vehicle)
                                   : transport::open_pty(loop, options.pty, vehicle);
   if (!link) throw Failure{transport::to_text(link.error())};
-  fmt::print(stderr, "a copter, system {}, speaks MAVLink {} on {}\n", options.system, options.mavlink,
+  make_log(options.log)
+      ->info("a copter, system {}, speaks MAVLink {} on {}", options.system, options.mavlink,
              options.pty.empty() ? options.endpoint : options.pty);
   vehicle.attach(std::move(*link));
   if (options.arm_after_s)
@@ -88,6 +91,7 @@ void add_sim(CLI::App& app) {
   command->add_option("--seed", options->seed, "Of the sensor noise")->capture_default_str();
   command->add_option("--arm-after", options->arm_after_s,
                       "Arm it by command after so many seconds; it then climbs and flies squares");
+  add_log_options(*command, options->log);
   command->footer("Example:\n  ponte sim --endpoint udpout://127.0.0.1:14550 --arm-after 10");
   command->callback([options] { run(*options); });
 }

@@ -4,14 +4,14 @@
 #include "common/failure.hpp"
 #include "common/json_line.hpp"
 #include "common/load_file.hpp"
+#include "common/log.hpp"
+#include "common/outgoing.hpp"
+#include "common/recorded_vsm.hpp"
 #include "common/vsm_options.hpp"
 #include "ponte/core/json_text.hpp"
-#include "ponte/dli/datagram.hpp"
-#include "ponte/dli/json.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
 #include "ponte/dli/pcap.hpp"
 #include "ponte/mavlink/autopilots/dialect.hpp"
-#include "ponte/vsm/telemetry.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,9 +27,9 @@ namespace {
 struct Options {
   std::string file;
   bool json{};
-  bool quiet{};
   std::string pcap;
   VsmOptions vsm;
+  LogOptions log;
 };
 
 /// Where the DLI messages go: JSON lines, a capture, and the counts of the summary.
@@ -40,13 +40,9 @@ class Output {
   }
 
   void take(const vsm::OutgoingMessage& message) {
-    dli::DatagramReader reader{message.bytes(), profile_, counters_};
-    const auto view = reader.next();
-    PONTE_ASSERT(view && *view);
-    ++counts_[(*view)->number];
+    ++counts_[view_of(message, profile_).number];
     if (options_.json) {
-      const auto written = dli::append_json(json_, **view, dli::messages::catalogue, profile_, unix_ms(message.time));
-      PONTE_ASSERT(written.has_value());
+      append_json(json_, message, profile_);
       print_line(json_);
     }
     if (!options_.pcap.empty()) {
@@ -68,16 +64,15 @@ class Output {
  private:
   const Options& options_;
   const dli::Profile& profile_;
-  dli::DatagramCounters counters_;
   std::vector<std::byte> pcap_;
   JsonText json_;
   std::map<dli::MessageNumber, std::uint64_t> counts_;
 };
 
-/// Feeds a capture to the VSM's engine, with the time of the capture as the time.
+/// Feeds a capture to the VSM's engine, and counts what it holds.
 class Translator final : public CaptureSink {
  public:
-  Translator(vsm::Telemetry& telemetry, Output& output) : telemetry_{telemetry}, output_{output} {}
+  Translator(const vsm::TelemetryConfig& config, Output& output) : vsm{config}, output_{output} {}
 
   void on_frame(std::size_t, std::optional<WallTime> time, const mavlink::FrameView& frame,
                 const mavlink::MessageInfo* message) override {
@@ -88,8 +83,7 @@ class Translator final : public CaptureSink {
       ++unknown[frame.message];
       return;
     }
-    advance(time);
-    telemetry_.on_frame(now_, wall_, frame, *message, outbox_);
+    vsm.on_frame(time, frame, *message, outbox_);
     drain();
   }
 
@@ -100,12 +94,11 @@ class Translator final : public CaptureSink {
   }
 
   void finish() {
-    telemetry_.finish(now_, wall_, outbox_);
+    vsm.finish(outbox_);
     drain();
   }
 
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(now_ - Timestamp{}).count(); }
-
+  RecordedVsm vsm;
   std::uint64_t frames{};
   std::set<std::pair<mavlink::SystemId, mavlink::ComponentId>> senders;
   std::set<mavlink::MessageId> types;
@@ -115,28 +108,17 @@ class Translator final : public CaptureSink {
   std::string first_damage;
 
  private:
-  /// Calendar time of a recording may step back; the engine's time does not.
-  void advance(std::optional<WallTime> time) {
-    if (!time) return;
-    if (has_time_ && *time > wall_) now_ += *time - wall_;
-    wall_ = *time;
-    has_time_ = true;
-  }
   void drain() {
     outbox_.drain([&](const vsm::OutgoingMessage& message) { output_.take(message); });
   }
 
   static constexpr std::size_t messages_per_frame = 256;
 
-  vsm::Telemetry& telemetry_;
   Output& output_;
   Outbox<vsm::OutgoingMessage> outbox_{messages_per_frame};
-  Timestamp now_{};
-  WallTime wall_{};
-  bool has_time_{};
 };
 
-std::string summary(const Translator& translator, const Output& output, const vsm::Telemetry& telemetry) {
+std::string summary(const Translator& translator, const Output& output) {
   std::uint64_t translated = 0;
   std::vector<std::string> numbers;
   for (const auto& [number, count] : output.counts()) {
@@ -149,8 +131,9 @@ std::string summary(const Translator& translator, const Output& output, const vs
   std::vector<std::string> damages;
   for (const auto& [reason, count] : translator.damages) damages.push_back(fmt::format("{} {}", reason, count));
   auto text = fmt::format("read        {} frames of {} message types from {} senders, {:.1f} s\n", translator.frames,
-                          translator.types.size(), translator.senders.size(), translator.seconds());
-  text += fmt::format("translated  {} DLI messages of {} vehicle(s)\n{}", translated, telemetry.vehicle_count(),
+                          translator.types.size(), translator.senders.size(),
+                          std::chrono::duration<double>(translator.vsm.length()).count());
+  text += fmt::format("translated  {} DLI messages of {} vehicle(s)\n{}", translated, translator.vsm.vehicle_count(),
                       fmt::join(numbers, ""));
   text += fmt::format("unknown     {}\n", unknown.empty() ? "none" : fmt::format("{}", fmt::join(unknown, ", ")));
   text += translator.damages.empty()
@@ -166,9 +149,8 @@ void run(const Options& options) {
   if (file.bytes.empty())
     throw Failure{fmt::format("{}: {}", options.file, file.damage.empty() ? "the file is empty" : file.damage)};
 
-  vsm::Telemetry telemetry{config};
   Output output{options, profile};
-  Translator translator{telemetry, output};
+  Translator translator{config, output};
   read_capture(file.bytes, mavlink::autopilots::dialect, translator);
 
   if (translator.frames == 0)
@@ -176,11 +158,12 @@ void run(const Options& options) {
                               file.damage.empty() ? translator.first_damage : file.damage)};
   translator.finish();
   output.finish();
+  const auto log = make_log(options.log);
   if (!translator.first_damage.empty())
-    fmt::print(stderr, "{}: damaged at {}, {} bytes in all were left out\n", options.file, translator.first_damage,
-               translator.damaged_bytes);
-  if (!file.damage.empty()) fmt::print(stderr, "{}: damaged at {}\n", options.file, file.damage);
-  if (!options.quiet) fmt::print(options.json ? stderr : stdout, "{}", summary(translator, output, telemetry));
+    log->warn("{}: damaged at {}, {} bytes in all were left out", options.file, translator.first_damage,
+              translator.damaged_bytes);
+  if (!file.damage.empty()) log->warn("{}: damaged at {}", options.file, file.damage);
+  if (!options.log.quiet) fmt::print(options.json ? stderr : stdout, "{}", summary(translator, output));
 }
 
 }  // namespace
@@ -193,7 +176,7 @@ void add_translate(CLI::App& app) {
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
   command->add_option("--pcap", options->pcap, "Write the DLI datagrams to a capture for Wireshark");
   add_vsm_options(*command, options->vsm);
-  command->add_flag("--quiet", options->quiet, "No summary");
+  add_log_options(*command, options->log);
   command->footer("Example:\n  ponte translate tests/recordings/ap_mission_v2_trimmed.tlog.gz --json");
   command->callback([options] { run(*options); });
 }

@@ -1,15 +1,16 @@
 #include "vsm/live_vsm.hpp"
 
-#include "common/failure.hpp"
+#include "vsm/dli_side.hpp"
+#include "vsm/recording_side.hpp"
+#include "vsm/vehicle_side.hpp"
 
-#include <fmt/format.h>
-
-#include <map>
+#include <algorithm>
+#include <variant>
 
 namespace ponte::app {
 namespace {
 
-std::string_view name_of(autopilot::FleetFact::Kind kind) {
+std::string_view words_for(autopilot::FleetFact::Kind kind) {
   using enum autopilot::FleetFact::Kind;
   switch (kind) {
     case appeared: return "vehicle appeared";
@@ -23,130 +24,111 @@ std::string_view name_of(autopilot::FleetFact::Kind kind) {
 
 }  // namespace
 
-/// One endpoint with vehicles: each of its peers is a link of its own to the bridge.
-class LiveVsm::VehicleSide final : public transport::LinkHandler {
- public:
-  VehicleSide(LiveVsm& owner, const transport::Endpoint& endpoint)
-      : owner_{owner}, name_{transport::to_text(endpoint)} {
-    auto opened = transport::open_link(owner.loop_, endpoint, *this);
-    if (!opened) throw Failure{transport::to_text(opened.error())};
-    link_ = std::move(*opened);
-  }
-
-  void on_bytes(Timestamp now, Bytes bytes, transport::PeerId peer) override {
-    owner_.bridge_.on_bytes(now, transport::Loop::wall(), number_of(now, peer), bytes);
-    owner_.pump();
-  }
-  void on_datagram(Timestamp now, Bytes bytes, transport::PeerId peer) override {
-    owner_.bridge_.on_datagram(now, transport::Loop::wall(), number_of(now, peer), bytes);
-    owner_.pump();
-  }
-  void on_peer(Timestamp now, transport::PeerId peer, transport::PeerChange change, std::string_view name) override {
-    if (change == transport::PeerChange::joined) {
-      owner_.log_->info("{} joined {}", name, name_);
-      (void)number_of(now, peer);
-    } else if (const auto found = numbers_.find(peer); found != numbers_.end()) {
-      owner_.log_->info("{} left {}", name, name_);
-      owner_.bridge_.on_link_down(now, transport::Loop::wall(), found->second);
-      numbers_.erase(found);
-    }
-    owner_.pump();
-  }
-  void on_state(Timestamp, transport::LinkState state, std::string_view reason) override {
-    if (state == transport::LinkState::down)
-      owner_.log_->warn("{} is down: {}", name_, reason);
-    else
-      owner_.log_->info("{} is {}", name_, transport::name_of(state));
-  }
-
-  /// True when the link is one of ours; the frame is on its way then.
-  bool send(const autopilot::OutgoingFrame& frame) {
-    for (const auto& [peer, number] : numbers_) {
-      if (number != frame.link) continue;
-      link_->send_to(peer, frame.bytes());
-      return true;
-    }
-    return false;
-  }
-
- private:
-  autopilot::LinkId number_of(Timestamp now, transport::PeerId peer) {
-    const auto found = numbers_.find(peer);
-    if (found != numbers_.end()) return found->second;
-    const autopilot::LinkId number{owner_.next_link_++};
-    numbers_.emplace(peer, number);
-    owner_.bridge_.on_link_up(now, number);
-    return number;
-  }
-
-  LiveVsm& owner_;
-  std::string name_;
-  std::map<transport::PeerId, autopilot::LinkId> numbers_;
-  std::unique_ptr<transport::Link> link_;
-};
-
-/// One endpoint of the DLI. What stations say is not listened to yet: every station is monitor only.
-class LiveVsm::DliSide final : public transport::LinkHandler {
- public:
-  DliSide(LiveVsm& owner, const transport::Endpoint& endpoint) : owner_{owner}, name_{transport::to_text(endpoint)} {
-    auto opened = transport::open_link(owner.loop_, endpoint, *this);
-    if (!opened) throw Failure{transport::to_text(opened.error())};
-    link_ = std::move(*opened);
-  }
-
-  void on_bytes(Timestamp, Bytes, transport::PeerId) override {}
-  void on_datagram(Timestamp, Bytes, transport::PeerId) override {}
-  void on_state(Timestamp, transport::LinkState state, std::string_view reason) override {
-    if (state == transport::LinkState::down)
-      owner_.log_->warn("{} is down: {}", name_, reason);
-    else
-      owner_.log_->info("{} is {}", name_, transport::name_of(state));
-  }
-
-  void send(Bytes message) { link_->send(message); }
-
- private:
-  LiveVsm& owner_;
-  std::string name_;
-  std::unique_ptr<transport::Link> link_;
-};
-
 LiveVsm::LiveVsm(transport::Loop& loop, const vsm::BridgeConfig& config, Log log)
-    : loop_{loop}, bridge_{config}, log_{std::move(log)}, timer_{loop, [this](Timestamp now) {
-                                                                   bridge_.on_tick(now, transport::Loop::wall());
-                                                                   pump();
-                                                                 }} {
-  timer_.set(loop.now());
-}
+    : loop_{loop},
+      config_{config},
+      bridge_{config, this},
+      log_{std::move(log)},
+      timer_{loop, [this](Timestamp now) {
+               bridge_.on_tick(now, transport::Loop::wall());
+               pump();
+             }} {}
 LiveVsm::~LiveVsm() = default;
 
 void LiveVsm::add_vehicle(const transport::Endpoint& endpoint) {
-  vehicle_sides_.push_back(std::make_unique<VehicleSide>(*this, endpoint));
+  if (const auto* file = std::get_if<transport::FileEndpoint>(&endpoint))
+    recordings_.push_back(std::make_unique<RecordingSide>(*this, *file));
+  else
+    vehicle_sides_.push_back(std::make_unique<VehicleSide>(*this, endpoint));
+  pump();
 }
 
 void LiveVsm::add_dli(const transport::Endpoint& endpoint) {
   dli_sides_.push_back(std::make_unique<DliSide>(*this, endpoint));
 }
 
+void LiveVsm::convert(bool on) {
+  bridge_.convert(on);
+  pump();
+}
+
+void LiveVsm::begin(std::string_view link, WallTime time, Timestamp received) {
+  link_ = link;
+  time_ = time;
+  received_ = received;
+}
+
+void LiveVsm::on_decoded(const mavlink::FrameView&, const mavlink::MessageInfo*) { decoded_ = loop_.now(); }
+
+/// Sends at once, rather than when all the bytes that came together are read.
+void LiveVsm::on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) {
+  const auto translated = loop_.now();
+  sent_.clear();
+  bridge_.messages.drain([&](const vsm::OutgoingMessage& outgoing) {
+    send(outgoing);
+    if (crossing_observer_) sent_.push_back(outgoing);
+  });
+  if (!crossing_observer_) return;
+  crossing_observer_({.link = link_,
+                      .time = time_,
+                      .frame = frame,
+                      .message = message,
+                      .messages = sent_,
+                      .received = received_,
+                      .decoded = decoded_,
+                      .translated = translated,
+                      .sent = loop_.now()});
+}
+
+void LiveVsm::send(const vsm::OutgoingMessage& message) {
+  for (const auto& side : dli_sides_) side->send(message.bytes());
+  if (observer_) observer_(message);
+}
+
 /// Carries out what the bridge wants done.
 void LiveVsm::pump() {
-  bridge_.messages.drain([&](const vsm::OutgoingMessage& message) {
-    for (const auto& side : dli_sides_) side->send(message.bytes());
-    if (observer_) observer_(message);
-  });
+  bridge_.messages.drain([&](const vsm::OutgoingMessage& message) { send(message); });
   bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) {
     for (const auto& side : vehicle_sides_)
       if (side->send(frame)) break;
   });
   bridge_.facts.drain([&](const autopilot::FleetFact& fact) { log_fact(fact); });
-  timer_.set(bridge_.next_deadline());
+  if (!vehicle_sides_.empty()) timer_.set(bridge_.next_deadline());  // recordings bring their own time
 }
 
-void LiveVsm::log_fact(const autopilot::FleetFact& fact) {
+void LiveVsm::finish_if_all_have() {
+  const bool all = vehicle_sides_.empty() && std::ranges::all_of(recordings_, &RecordingSide::is_finished);
+  if (all && finished_) finished_();
+}
+
+/// A number that no link has; 0 is never one.
+autopilot::LinkId LiveVsm::new_link_number() {
+  const auto is_taken = [&](autopilot::LinkId number) {
+    return std::ranges::any_of(bridge_.links(), [&](const auto& link) { return link->id == number; });
+  };
+  do {
+    ++last_link_;
+  } while (last_link_ == 0 || is_taken(autopilot::LinkId{last_link_}));
+  return autopilot::LinkId{last_link_};
+}
+
+std::string LiveVsm::name_of(autopilot::LinkId link) const {
+  for (const auto& side : vehicle_sides_)
+    if (auto name = side->name_of(link); !name.empty()) return name;
+  return "a link that has ended";
+}
+
+void LiveVsm::log_fact(const autopilot::FleetFact& fact) const {
   using Kind = autopilot::FleetFact::Kind;
   const bool is_bad = fact.kind == Kind::lost || fact.kind == Kind::duplicate_id;
-  log_->log(is_bad ? spdlog::level::warn : spdlog::level::info, "{} sysid={} compid={} link={}", name_of(fact.kind),
-            fact.system.value, fact.component.value, fact.link.value);
+  log_->log(is_bad ? spdlog::level::warn : spdlog::level::info, "{}: system {} component {} on {}",
+            words_for(fact.kind), fact.system.value, fact.component.value, name_of(fact.link));
+}
+
+void LiveVsm::log_counters() const {
+  for (const auto& side : vehicle_sides_) side->log_counters();
+  for (const auto& recording : recordings_) recording->log_counters();
+  for (const auto& side : dli_sides_) side->log_counters();
 }
 
 }  // namespace ponte::app

@@ -3,16 +3,16 @@
 #include "common/endpoint_option.hpp"
 #include "common/json_line.hpp"
 #include "common/log.hpp"
+#include "common/outgoing.hpp"
+#include "common/realtime.hpp"
 #include "common/vsm_options.hpp"
-#include "ponte/dli/datagram.hpp"
-#include "ponte/dli/json.hpp"
-#include "ponte/dli/messages/catalogue.hpp"
+#include "ponte/transport/loop.hpp"
 #include "vsm/live_vsm.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <iterator>
 #include <memory>
+#include <optional>
 
 namespace ponte::app {
 namespace {
@@ -25,20 +25,9 @@ struct Options {
   bool every_sample{};
   bool listen_only{};
   double refresh_s{5};
-  std::string log_level{"info"};
+  std::optional<int> realtime;
+  LogOptions log;
 };
-
-void print_json(const vsm::OutgoingMessage& message, const dli::Profile& profile) {
-  dli::DatagramCounters counters;
-  JsonText json;
-  dli::DatagramReader reader{message.bytes(), profile, counters};
-  const auto view = reader.next();
-  PONTE_ASSERT(view && *view);
-  const auto written = dli::append_json(json, **view, dli::messages::catalogue, profile, unix_ms(message.time));
-  PONTE_ASSERT(written.has_value());
-  print_line(json);
-  std::fflush(stdout);
-}
 
 void run(const Options& options) {
   vsm::BridgeConfig config;
@@ -50,13 +39,21 @@ void run(const Options& options) {
   config.fleet.ask_for_streams = !options.listen_only;
 
   transport::Loop loop;
-  LiveVsm vsm{loop, config, make_log(options.log_level)};
+  LiveVsm vsm{loop, config, make_log(options.log)};
   for (const auto& text : options.vehicles) vsm.add_vehicle(endpoint_from("--vehicle", text));
   for (const auto& text : options.dli) vsm.add_dli(endpoint_from("--dli", text));
+  JsonText json;
   if (options.json)
-    vsm.observe([&](const vsm::OutgoingMessage& message) { print_json(message, config.telemetry.profile); });
+    vsm.observe([&](const vsm::OutgoingMessage& message) {
+      append_json(json, message, config.telemetry.profile);
+      print_line(json);
+      std::fflush(stdout);
+    });
   loop.on_signal([&](int) { loop.stop(); });
+  vsm.on_finished([&] { loop.stop(); });
+  if (options.realtime) enter_realtime(*options.realtime);
   loop.run();
+  vsm.log_counters();
 }
 
 }  // namespace
@@ -64,7 +61,9 @@ void run(const Options& options) {
 void add_vsm(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("vsm", "Make MAVLink vehicles STANAG 4586 vehicles (telemetry; monitor only)");
-  command->add_option("--vehicle", options->vehicles, "Where vehicles are, e.g. serial:///dev/ttyACM0:57600")
+  command
+      ->add_option("--vehicle", options->vehicles,
+                   "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording")
       ->required();
   command->add_option("--dli", options->dli, "Where ground stations are, e.g. udpmulticast://239.255.45.86:45860");
   add_vsm_options(*command, options->vsm);
@@ -74,9 +73,8 @@ void add_vsm(CLI::App& app) {
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command->add_flag("--listen-only", options->listen_only, "Do not ask vehicles for their streams");
-  command->add_option("--log-level", options->log_level, "Lines on stderr")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(log_levels), std::end(log_levels))))
-      ->capture_default_str();
+  add_realtime_option(*command, options->realtime);
+  add_log_options(*command, options->log);
   command->footer("Example:\n  ponte vsm --vehicle udpin://0.0.0.0:14550 --dli udpmulticast://239.255.45.86:45860");
   command->callback([options] { run(*options); });
 }

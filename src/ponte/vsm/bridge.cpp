@@ -11,7 +11,8 @@ using autopilot::LinkId;
 
 Bridge::Link::Link(LinkId number) : id{number}, parser{mavlink::autopilots::dialect} {}
 
-Bridge::Bridge(BridgeConfig config) : fleet_{config.fleet}, telemetry_{std::move(config.telemetry), config.rates} {
+Bridge::Bridge(BridgeConfig config, BridgeListener* listener)
+    : fleet_{config.fleet}, telemetry_{std::move(config.telemetry), config.rates}, listener_{listener} {
   links_.reserve(autopilot::FleetSession::link_limit);
 }
 
@@ -48,19 +49,25 @@ void Bridge::on_datagram(Timestamp now, WallTime wall, LinkId link, Bytes datagr
 
 void Bridge::on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) {
   current_->losses.on_frame(frame.system, frame.component, frame.sequence);
-  if (message == nullptr) return;
+  if (listener_ != nullptr) listener_->on_decoded(frame, message);
+  if (message != nullptr) translate(frame, *message);
+  if (listener_ != nullptr) listener_->on_translated(frame, message);
+}
+
+void Bridge::translate(const mavlink::FrameView& frame, const mavlink::MessageInfo& message) {
   const bool followed = fleet_.on_frame(now_, current_->id, frame, frames, new_facts_);
   tell_facts(wall_);
+  if (!converts_) return;
   if (followed)
-    telemetry_.on_frame(now_, wall_, frame, *message, messages);
+    telemetry_.on_frame(now_, wall_, frame, message, messages);
   else if (!fleet_.follows(frame.system))
-    telemetry_.on_station_frame(frame, *message);
+    telemetry_.on_station_frame(frame, message);
 }
 
 void Bridge::tell_facts(WallTime wall) {
   new_facts_.drain([&](const FleetFact& fact) {
     facts.push(fact);
-    if (fact.kind == FleetFact::Kind::duplicate_id)
+    if (fact.kind == FleetFact::Kind::duplicate_id && converts_)
       telemetry_.raise(
           fact.system,
           {vehicle::Condition::warning, vehicle::Subsystem::comms, Text<79>{"two vehicles use one MAVLink id"}}, wall,
@@ -77,11 +84,11 @@ void Bridge::on_tick(Timestamp now, WallTime wall) {
   }
   fleet_.on_tick(now, frames, new_facts_);
   tell_facts(wall);
-  if (telemetry_.next_deadline() <= now) telemetry_.on_tick(now, wall, messages);
+  if (converts_ && telemetry_.next_deadline() <= now) telemetry_.on_tick(now, wall, messages);
 }
 
 Timestamp Bridge::next_deadline() const {
-  auto deadline = telemetry_.next_deadline();
+  auto deadline = converts_ ? telemetry_.next_deadline() : Timestamp::max();
   if (const auto fleet = fleet_.next_deadline()) deadline = std::min(deadline, *fleet);
   for (const auto& link : links_)
     if (const auto silence = link->parser.next_deadline()) deadline = std::min(deadline, *silence);

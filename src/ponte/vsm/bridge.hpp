@@ -17,12 +17,24 @@ struct BridgeConfig {
   autopilot::FleetConfig fleet{};
 };
 
+/// Is told of each frame on its way over the bridge: for who sends at once, and for who measures. Must not feed the
+/// bridge from within a call.
+class BridgeListener {
+ public:
+  virtual ~BridgeListener() = default;
+  /// A frame was found, and its checksum is right. `message` is nothing if the dialect does not know it.
+  virtual void on_decoded(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
+  /// The same frame has done its work: what it calls for stands in the outboxes.
+  virtual void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
+};
+
 /// The telemetry side of a VSM from bytes to bytes: MAVLink links with any vehicles on them in, DLI messages, requests
 /// to the vehicles and facts for the log out. What comes out stands in the outboxes until somebody drains them. Knows
 /// no clock and no socket.
 class Bridge final : private mavlink::FrameSink {
  public:
-  explicit Bridge(BridgeConfig config);
+  /// The listener, if any, outlives the bridge.
+  explicit Bridge(BridgeConfig config, BridgeListener* listener = nullptr);
 
   /// A link begins; frames come from it, and requests may be sent on it, until it ends.
   void on_link_up(Timestamp now, autopilot::LinkId link);
@@ -33,6 +45,9 @@ class Bridge final : private mavlink::FrameSink {
   void on_tick(Timestamp now, WallTime wall);
   /// When `on_tick` next has something to do, or earlier.
   [[nodiscard]] Timestamp next_deadline() const;
+  /// While it does not convert, the bridge keeps in touch with vehicles and says nothing to ground stations.
+  void convert(bool on) { converts_ = on; }
+  [[nodiscard]] bool converts() const { return converts_; }
 
   Outbox<autopilot::OutgoingFrame> frames{256};
   Outbox<OutgoingMessage> messages{256};
@@ -52,11 +67,14 @@ class Bridge final : private mavlink::FrameSink {
 
  private:
   void on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
+  void translate(const mavlink::FrameView& frame, const mavlink::MessageInfo& message);
   Link* enter(Timestamp now, WallTime wall, autopilot::LinkId link);
   void tell_facts(WallTime wall);
 
   autopilot::FleetSession fleet_;
   Telemetry telemetry_;
+  BridgeListener* listener_;
+  bool converts_{true};
   Outbox<autopilot::FleetFact> new_facts_{16};
   std::vector<std::unique_ptr<Link>> links_;
   // While a link is read: which, and when.

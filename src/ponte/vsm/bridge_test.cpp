@@ -159,6 +159,45 @@ TEST(Bridge, CountsWhatGetsLostAndWhatIsNoFrame) {
   EXPECT_THAT(link.losses.senders(), SizeIs(1));
 }
 
+TEST(Bridge, KeepsInTouchButSaysNothingWhileItDoesNotConvert) {
+  Bench bench;
+  bench.bridge.convert(false);
+  bench.hear(radio, copter);
+  bench.hear(radio, from::Attitude{.roll = 0.1F});
+  bench.bridge.on_tick(bench.now, wall);
+  EXPECT_TRUE(bench.bridge.messages.empty());
+  EXPECT_THAT(bench.facts(), ElementsAre(FleetFact::Kind::appeared));
+  EXPECT_FALSE(bench.bridge.frames.empty()) << "heartbeats and requests go on";
+  bench.bridge.convert(true);
+  bench.hear(radio, from::Attitude{.roll = 0.2F});
+  EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1));
+}
+
+TEST(Bridge, TellsItsListenerOfEachFrameBeforeAndAfter) {
+  struct Listener final : BridgeListener {
+    void on_decoded(const mavlink::FrameView& frame, const mavlink::MessageInfo*) override {
+      steps.push_back({frame.message.value, bridge->messages.size()});
+    }
+    void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo*) override {
+      steps.push_back({frame.message.value, bridge->messages.size()});
+      bridge->messages.drain([](const OutgoingMessage&) {});
+    }
+    Bridge* bridge{};
+    std::vector<std::pair<std::uint32_t, std::size_t>> steps;  ///< message id, messages in the outbox
+  } listener;
+  Bridge bridge{{}, &listener};
+  listener.bridge = &bridge;
+  bridge.on_link_up(Timestamp{}, radio);
+  bridge.on_tick(Timestamp{}, wall);
+  const TestFrame heartbeat{copter, SystemId{1}, ComponentId{1}};
+  bridge.on_datagram(Timestamp{}, wall, radio, heartbeat.view().whole);
+  listener.steps.clear();
+  const TestFrame attitude{from::Attitude{.roll = 0.1F}, SystemId{1}, ComponentId{1}};
+  bridge.on_datagram(Timestamp{}, wall, radio, attitude.view().whole);
+  using Step = std::pair<std::uint32_t, std::size_t>;
+  EXPECT_THAT(listener.steps, ElementsAre(Step{30, 0}, Step{30, 1}));
+}
+
 TEST(Bridge, IgnoresLinksThatItHasNotBeenToldOf) {
   Bench bench;
   bench.hear(LinkId{9}, copter);
