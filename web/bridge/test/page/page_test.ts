@@ -1,6 +1,6 @@
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
-import { launchBrowser } from './browser';
+import { launchBrowser } from './browser.mjs';
 import { PageServer, type Options } from './server';
 
 /** What a test file works with: a server, and pages in a browser that all have to stay free of errors. */
