@@ -1,4 +1,4 @@
-import type { Crossing, DliMessage, MavlinkMessage } from '../contract';
+import type { Crossing, DliMessage } from '../contract';
 import { Comparison, instrumentKeys, instruments, type InstrumentKey, type Reading } from './instruments';
 import { dliKey, mavlinkKey } from './traffic';
 
@@ -13,7 +13,6 @@ export interface Flow {
 /** The newest crossings of the watched vehicle, and its instruments on both sides. */
 export class Crossings {
   private readonly byKey = new Map<string, Flow>();
-  private readonly mavlinkByName = new Map<string, MavlinkMessage>();
   private readonly dliByNumber = new Map<number, DliMessage>();
   private readonly comparisons = instrumentKeys.map((key) => new Comparison(instruments[key]));
 
@@ -31,10 +30,6 @@ export class Crossings {
     return this.byKey.get(key);
   }
 
-  newestMavlink(name: string): MavlinkMessage | undefined {
-    return this.mavlinkByName.get(name);
-  }
-
   newestDli(number: number): DliMessage | undefined {
     return this.dliByNumber.get(number);
   }
@@ -50,7 +45,6 @@ export class Crossings {
     if (mavlink !== undefined) {
       const { name, instance } = mavlink;
       this.put(mavlinkKey(mavlink), instance === undefined ? name : `${name} ${instance.value}`, crossing);
-      this.mavlinkByName.set(mavlink.name, mavlink);
       for (const comparison of this.comparisons) comparison.onMavlink(mavlink);
     }
     for (const message of dli) {

@@ -9,7 +9,6 @@ const sent = { decoded: 3000, translated: 13_000, sent: 30_000 };
 it('splits the time into stages that add up', () => {
   expect(delayOf(crossing(5e6, sent))).toEqual({
     time: 5,
-    message: 'ATTITUDE',
     stages: { decode: 3000, translate: 10_000, send: 17_000, total: 30_000 },
   });
 });

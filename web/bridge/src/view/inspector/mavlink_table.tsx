@@ -18,7 +18,7 @@ export function MavlinkTable({ rows }: { rows: MavlinkRow[] }) {
       lines={rows.map(({ count, rate_hz, last }) => ({
         key: mavlinkKey(last),
         title: `${last.name}${last.instance ? ` ${last.instance.field}=${last.instance.value}` : ''}`,
-        from: `${last.link} / ${last.system} / ${last.component}`,
+        from: `${last.link}/${last.system}/${last.component}`,
         count,
         rate_hz,
         time_ms: last.time_us / 1000,
