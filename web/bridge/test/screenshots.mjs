@@ -1,4 +1,4 @@
-// Takes pictures of the built page with the mock server's data: npm run screenshots -- FOLDER
+// Takes pictures of the page: npm run screenshots -- FOLDER [ADDRESS], without an address with the mock server's data
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,12 +11,13 @@ const views = { 1: 'bridge', 2: 'inspector', 3: 'timing', 4: 'links' };
 const screens = { desk: { width: 1440, height: 900 }, phone: { width: 360, height: 740 } };
 
 mkdirSync(folder, { recursive: true });
-const server = await startServer({ port: 0, web });
+const server = process.argv[3] === undefined ? await startServer({ port: 0, web }) : undefined;
+const address = process.argv[3] ?? `http://127.0.0.1:${server.port}/`;
 const browser = await launchBrowser();
 for (const [screen, viewport] of Object.entries(screens))
   for (const colorScheme of ['light', 'dark']) {
     const page = await browser.newPage({ viewport, colorScheme });
-    await page.goto(`http://127.0.0.1:${server.port}/`);
+    await page.goto(address);
     await page.locator('.traveller').nth(1).waitFor({ state: 'attached' });
     for (const [key, view] of Object.entries(views)) {
       await page.keyboard.press(key);
@@ -27,7 +28,7 @@ for (const [screen, viewport] of Object.entries(screens))
     await page.close();
   }
 await browser.close();
-await server.close();
+await server?.close();
 
 async function openAndPlot(page) {
   await page.locator('.opener', { hasText: 'ATTITUDE' }).first().click();

@@ -98,6 +98,7 @@ export const en = {
   'stage.send': 'Send',
   'stage.total': 'Total',
   'timing.stages': 'Time by stage, every message',
+  'timing.stage': 'Stage',
   'timing.newest': 'Newest',
   'timing.max': 'Maximum',
   'timing.count': 'Messages',

@@ -101,6 +101,7 @@ export const pt: Record<TextKey, string> = {
   'stage.send': 'Enviar',
   'stage.total': 'Total',
   'timing.stages': 'Tempo por etapa, todas as mensagens',
+  'timing.stage': 'Etapa',
   'timing.newest': 'A mais recente',
   'timing.max': 'Máximo',
   'timing.count': 'Mensagens',

@@ -25,6 +25,20 @@ it('says why an endpoint is refused', async () => {
   expect(await page.getByRole('alert').textContent()).toContain('carrier-pigeon');
 });
 
+it('says how much telemetry this client was too slow for', async () => {
+  const page = await test.open({
+    prepare: (opened) =>
+      opened.routeWebSocket('**/api/v1/stream', (socket) => {
+        const server = socket.connectToServer();
+        server.onMessage((message) => {
+          socket.send(message);
+          if (String(message).startsWith('{"kind":"timing"')) socket.send('{"kind":"dropped","count":17}');
+        });
+      }),
+  });
+  await page.getByText('▲ 17 telemetry messages dropped', { exact: false }).waitFor();
+});
+
 it('finds the server again after it was restarted', async () => {
   const page = await test.open();
   await page.getByText('● Live').waitFor();

@@ -3,10 +3,15 @@ import { afterAll, afterEach, beforeAll, expect } from 'vitest';
 import { launchBrowser } from './browser.mjs';
 import { PageServer, type Options } from './server';
 
+export interface OpenOptions extends BrowserContextOptions {
+  path?: string; // with the part behind #
+  prepare?: (page: Page) => Promise<void>; // before the page is loaded
+}
+
 /** What a test file works with: a server, and pages in a browser that all have to stay free of errors. */
 export interface PageTest {
   server: PageServer;
-  open: (options?: BrowserContextOptions & { path?: string }) => Promise<Page>;
+  open: (options?: OpenOptions) => Promise<Page>;
 }
 
 /** Prepares the tests of the calling file. */
@@ -30,7 +35,7 @@ export function pageTest(options: Options = {}): PageTest {
     expect(seen).toEqual([]);
   });
 
-  test.open = async ({ path = '', ...contextOptions } = {}) => {
+  test.open = async ({ path = '', prepare, ...contextOptions } = {}) => {
     const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...contextOptions });
     page.setDefaultTimeout(15_000);
     page.on('pageerror', (error) => complaints.push(String(error)));
@@ -40,6 +45,7 @@ export function pageTest(options: Options = {}): PageTest {
     page.on('console', (message) => {
       if (message.text().includes('Content Security Policy')) complaints.push(message.text());
     });
+    await prepare?.(page);
     await page.goto(test.server.url + path);
     return page;
   };
