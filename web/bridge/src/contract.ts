@@ -229,17 +229,7 @@ export interface StudyResult {
 }
 
 export type MavlinkType =
-  | 'char'
-  | 'uint8'
-  | 'int8'
-  | 'uint16'
-  | 'int16'
-  | 'uint32'
-  | 'int32'
-  | 'uint64'
-  | 'int64'
-  | 'float'
-  | 'double';
+  'char' | 'uint8' | 'int8' | 'uint16' | 'int16' | 'uint32' | 'int32' | 'uint64' | 'int64' | 'float' | 'double';
 
 export interface MavlinkFieldInfo {
   name: string;

@@ -32,7 +32,10 @@ await server?.close();
 
 async function openAndPlot(page) {
   await page.locator('.opener', { hasText: 'ATTITUDE' }).first().click();
-  await page.getByRole('button', { name: /^Plot: ATTITUDE roll / }).first().click();
+  await page
+    .getByRole('button', { name: /^Plot: ATTITUDE roll / })
+    .first()
+    .click();
   await page.locator('.charts canvas').waitFor();
   // A few seconds of curve.
   await page.waitForTimeout(4000);

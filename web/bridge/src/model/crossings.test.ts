@@ -4,7 +4,13 @@ import { Crossings } from './crossings';
 
 const mavlink = (name: string, id: number, instance?: number) =>
   ({
-    link: 1, system: 1, component: 1, id, name, time_us: 1e6, fields: {},
+    link: 1,
+    system: 1,
+    component: 1,
+    id,
+    name,
+    time_us: 1e6,
+    fields: {},
     ...(instance !== undefined && { instance: { field: 'id', value: instance } }),
   }) as unknown as MavlinkMessage;
 const dli = (number: number) => ({ number, name: `Message ${number}`, fields: {}, held: {} }) as unknown as DliMessage;
@@ -30,7 +36,9 @@ it('keeps the place of a message that brings no news for once', () => {
 
 it('tells the instances of a message apart', () => {
   const crossings = new Crossings();
-  crossings.add([0, 1].map((instance) => ({ number: instance, mavlink: mavlink('BATTERY_STATUS', 147, instance), dli: [] })));
+  crossings.add(
+    [0, 1].map((instance) => ({ number: instance, mavlink: mavlink('BATTERY_STATUS', 147, instance), dli: [] })),
+  );
   expect(titles(crossings)).toEqual(['BATTERY_STATUS 0', 'BATTERY_STATUS 1']);
 });
 

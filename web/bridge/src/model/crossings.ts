@@ -35,9 +35,10 @@ export class Crossings {
   }
 
   readings(): Record<InstrumentKey, Reading> {
-    return Object.fromEntries(
-      instrumentKeys.map((key, index) => [key, this.comparisons[index]!.reading()]),
-    ) as Record<InstrumentKey, Reading>;
+    return Object.fromEntries(instrumentKeys.map((key, index) => [key, this.comparisons[index]!.reading()])) as Record<
+      InstrumentKey,
+      Reading
+    >;
   }
 
   private addOne(crossing: Crossing): void {

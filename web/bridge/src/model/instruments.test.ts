@@ -6,7 +6,11 @@ const attitude = (seconds: number, fields: Record<string, MavlinkValue>) =>
   ({ name: 'ATTITUDE', time_us: seconds * 1e6, fields }) as MavlinkMessage;
 const inertialStates = (seconds: number, fields: DliFields, held: DliFields = {}) =>
   ({ number: 4000, time_ms: seconds * 1e3, fields, held }) as DliMessage;
-const radians = (value: number): DliFields[string] => ({ raw: Math.round((value / Math.PI) * 32768), value, unit: 'rad' });
+const radians = (value: number): DliFields[string] => ({
+  raw: Math.round((value / Math.PI) * 32768),
+  value,
+  unit: 'rad',
+});
 
 describe('Comparison', () => {
   it('waits until both sides have spoken', () => {
@@ -24,7 +28,12 @@ describe('Comparison', () => {
 
   it('agrees with a value that MAVLink told a moment ago', () => {
     const roll = new Comparison(instruments.roll);
-    for (const [seconds, value] of [[1, 0.1], [1.1, 0.2], [1.2, 0.3]] as const) roll.onMavlink(attitude(seconds, { roll: value }));
+    for (const [seconds, value] of [
+      [1, 0.1],
+      [1.1, 0.2],
+      [1.2, 0.3],
+    ] as const)
+      roll.onMavlink(attitude(seconds, { roll: value }));
     roll.onDli(inertialStates(1.2, { roll: radians(0.15) }));
     expect(roll.reading().agrees).toBe(true);
   });

@@ -69,7 +69,9 @@ export const instruments: Record<InstrumentKey, Instrument> = {
   speed: {
     message: 'GLOBAL_POSITION_INT',
     fromMavlink: (fields) =>
-      typeof fields.vx === 'number' && typeof fields.vy === 'number' ? Math.hypot(fields.vx, fields.vy) / 100 : undefined,
+      typeof fields.vx === 'number' && typeof fields.vy === 'number'
+        ? Math.hypot(fields.vx, fields.vy) / 100
+        : undefined,
     number: 4000,
     fromDli: ({ u_speed, v_speed }) =>
       u_speed?.value === undefined || v_speed?.value === undefined
@@ -151,7 +153,9 @@ export class Comparison {
 
   private isWithinSamples(value: number): boolean {
     const differences = this.samples.map((sample) => this.difference(sample.value, value));
-    return Math.min(...differences) <= this.instrument.tolerance && Math.max(...differences) >= -this.instrument.tolerance;
+    return (
+      Math.min(...differences) <= this.instrument.tolerance && Math.max(...differences) >= -this.instrument.tolerance
+    );
   }
 
   private difference(a: number, b: number): number {

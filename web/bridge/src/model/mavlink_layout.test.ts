@@ -27,14 +27,19 @@ it('reads the header of MAVLink 1', () => {
 it('finds a field in the payload', () => {
   const bytes = bytesOf(heartbeat2);
   const { payload } = mavlinkLayout(bytes);
-  expect(hexOf(bytes, mavlinkFieldRange({ name: 'custom_mode', type: 'uint32', offset: 0 }, payload))).toBe('04 00 00 00');
+  expect(hexOf(bytes, mavlinkFieldRange({ name: 'custom_mode', type: 'uint32', offset: 0 }, payload))).toBe(
+    '04 00 00 00',
+  );
   expect(hexOf(bytes, mavlinkFieldRange({ name: 'base_mode', type: 'uint8', offset: 6 }, payload))).toBe('51');
 });
 
 it('cuts a field at the end of a payload whose trailing zeros were not sent', () => {
   const payload = { start: 10, end: 13 };
   expect(mavlinkFieldRange({ name: 'a', type: 'uint32', offset: 0 }, payload)).toEqual({ start: 10, end: 13 });
-  expect(mavlinkFieldRange({ name: 'b', type: 'uint16', offset: 4, array_length: 3 }, payload)).toEqual({ start: 13, end: 13 });
+  expect(mavlinkFieldRange({ name: 'b', type: 'uint16', offset: 4, array_length: 3 }, payload)).toEqual({
+    start: 13,
+    end: 13,
+  });
 });
 
 it('names the pieces of a signature', () => {

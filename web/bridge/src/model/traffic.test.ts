@@ -6,13 +6,24 @@ const row = (id: number, name: string, system: number, count: number, instance?:
   ({
     count,
     rate_hz: 1,
-    last: { link: 1, system, component: 1, id, name, fields: { roll: 1 }, ...(instance !== undefined && { instance: { field: 'id', value: instance } }) },
+    last: {
+      link: 1,
+      system,
+      component: 1,
+      id,
+      name,
+      fields: { roll: 1 },
+      ...(instance !== undefined && { instance: { field: 'id', value: instance } }),
+    },
   }) as unknown as MavlinkRow;
 const nothing = { kind: 'traffic' as const, mavlink: [], dli: [], senders: [], rejects: [] };
 
 it('keeps one row for each sender, message and instance, the newest', () => {
   const table = new TrafficTable();
-  table.add({ ...nothing, mavlink: [row(147, 'BATTERY_STATUS', 1, 1, 0), row(147, 'BATTERY_STATUS', 1, 1, 1), row(30, 'ATTITUDE', 2, 1)] });
+  table.add({
+    ...nothing,
+    mavlink: [row(147, 'BATTERY_STATUS', 1, 1, 0), row(147, 'BATTERY_STATUS', 1, 1, 1), row(30, 'ATTITUDE', 2, 1)],
+  });
   table.add({ ...nothing, mavlink: [row(30, 'ATTITUDE', 1, 5), row(30, 'ATTITUDE', 2, 9)] });
   expect(table.mavlink('').map(({ last, count }) => [last.system, last.name, last.instance?.value, count])).toEqual([
     [1, 'ATTITUDE', undefined, 5],
@@ -41,7 +52,13 @@ it('finds a DLI message by a field that is held', () => {
 
 it('puts the commonest reason for rejection first', () => {
   const table = new TrafficTable();
-  const reject = (reason: string, count: number) => ({ side: 'mavlink' as const, link: 1, reason, count, bytes: count });
+  const reject = (reason: string, count: number) => ({
+    side: 'mavlink' as const,
+    link: 1,
+    reason,
+    count,
+    bytes: count,
+  });
   table.add({ ...nothing, rejects: [reject('noise', 2), reject('bad checksum', 7)] });
   expect(table.rejects().map(({ reason }) => reason)).toEqual(['bad checksum', 'noise']);
 });

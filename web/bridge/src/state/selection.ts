@@ -4,8 +4,7 @@ import { catalogue } from './store';
 
 /** The field that is pointed at. */
 export type Selection =
-  | { side: 'mavlink'; message: string; field: string }
-  | { side: 'dli'; number: number; field: string };
+  { side: 'mavlink'; message: string; field: string } | { side: 'dli'; number: number; field: string };
 
 export const selection = signal<Selection | undefined>();
 

@@ -104,16 +104,30 @@ function onTraffic(message: Traffic): void {
 
 function onMessage(message: ServerMessage): void {
   switch (message.kind) {
-    case 'hello': return onHello(message);
-    case 'status': status.value = message; return;
-    case 'timing': timing.value = message; return;
-    case 'study': study.value = message; return;
-    case 'dropped': dropped.value = message.count; return;
-    case 'events': events.value = [...events.value, ...message.events].slice(-eventsKept); return;
+    case 'hello':
+      return onHello(message);
+    case 'status':
+      status.value = message;
+      return;
+    case 'timing':
+      timing.value = message;
+      return;
+    case 'study':
+      study.value = message;
+      return;
+    case 'dropped':
+      dropped.value = message.count;
+      return;
+    case 'events':
+      events.value = [...events.value, ...message.events].slice(-eventsKept);
+      return;
     // What was under way when the page was paused must not move it.
-    case 'crossings': return paused.value ? undefined : onCrossings(message.crossings);
-    case 'traffic': return paused.value ? undefined : onTraffic(message);
-    case 'refusal': problem.value = message.detail;
+    case 'crossings':
+      return paused.value ? undefined : onCrossings(message.crossings);
+    case 'traffic':
+      return paused.value ? undefined : onTraffic(message);
+    case 'refusal':
+      problem.value = message.detail;
   }
 }
 

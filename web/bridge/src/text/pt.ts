@@ -37,8 +37,7 @@ export const pt: Record<TextKey, string> = {
   'convert.off': 'desligado',
   'vehicles.label': 'Veículo',
   'vehicles.none': 'Ainda não há veículos.',
-  'vehicles.none.hint':
-    'Ligue um em «Ligações», ou inicie um: ponte sim --endpoint udpout://127.0.0.1:14550',
+  'vehicles.none.hint': 'Ligue um em «Ligações», ou inicie um: ponte sim --endpoint udpout://127.0.0.1:14550',
   'vehicles.silent': 'em silêncio',
   'instruments.label': 'Instrumentos, os dois lados sobrepostos',
   'instruments.roll': 'Rolamento',
@@ -197,8 +196,7 @@ export const pt: Record<TextKey, string> = {
   'help.title': 'Teclas',
   'help.close': 'Fechar',
   'help.enabled': 'As teclas simples agem de imediato',
-  'help.moving':
-    'Tab e Shift+Tab chegam a todos os controlos; as setas movem-se entre campos, mensagens e linhas.',
+  'help.moving': 'Tab e Shift+Tab chegam a todos os controlos; as setas movem-se entre campos, mensagens e linhas.',
   'key.bridge': 'Mostrar a ponte',
   'key.inspector': 'Mostrar o inspetor',
   'key.timing': 'Mostrar os tempos',

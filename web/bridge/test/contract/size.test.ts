@@ -6,7 +6,9 @@ const folder = new URL('../../../../build/web/bridge/', import.meta.url);
 const budget = 250_000;
 
 it('loads in less than 250 kB of compressed bytes, charts included', () => {
-  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => /\.(html|js|css|svg)$/.test(name));
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
+    /\.(html|js|css|svg)$/.test(name),
+  );
   const sizes = files.map((name) => gzipSync(readFileSync(new URL(name, folder))).length);
   expect(files.length).toBeGreaterThanOrEqual(5);
   expect(sizes.reduce((sum, size) => sum + size, 0)).toBeLessThan(budget);

@@ -22,8 +22,10 @@ function summaryOf(series) {
 export class Bridge {
   constructor({ vehicles, wrongRoll }) {
     const mapRoll = wrongRoll ? ({ yaw }) => yaw : undefined;
-    this.flights = Array.from({ length: vehicles }, (_, index) =>
-      new Flight({ link: 1, system: index + 1, id: `14:40:00:0${index + 1}`, mapRoll }));
+    this.flights = Array.from(
+      { length: vehicles },
+      (_, index) => new Flight({ link: 1, system: index + 1, id: `14:40:00:0${index + 1}`, mapRoll }),
+    );
     this.links = [{ number: 1, endpoint: 'udpin://127.0.0.1:14550', state: 'up' }];
     this.linksMade = 1;
     this.conversion = true;
@@ -64,13 +66,24 @@ export class Bridge {
 
   countRow(side, key, last) {
     const count = (this.rows[side].get(key)?.count ?? 0) + 1;
-    this.rows[side].set(key, { count, rate_hz: (count * stepsPerSecond) / Math.max(this.stepNumber, stepsPerSecond), last });
+    this.rows[side].set(key, {
+      count,
+      rate_hz: (count * stepsPerSecond) / Math.max(this.stepNumber, stepsPerSecond),
+      last,
+    });
     ++this.totals[side].messages;
     this.totals[side].bytes += last.hex.length / 2;
   }
 
   note(code, severity, text, vehicle) {
-    const event = { number: this.events.length + 1, time_ms: Date.UTC(2026, 0, 1, 12) + 50 * this.stepNumber, code, severity, ...(vehicle && { vehicle }), text };
+    const event = {
+      number: this.events.length + 1,
+      time_ms: Date.UTC(2026, 0, 1, 12) + 50 * this.stepNumber,
+      code,
+      severity,
+      ...(vehicle && { vehicle }),
+      text,
+    };
     this.events.push(event);
     this.onEvent?.(event);
   }
@@ -125,7 +138,11 @@ export class Bridge {
   }
 
   status() {
-    const totals = (side) => ({ ...this.totals[side], rate_hz: (this.totals[side].messages * stepsPerSecond) / Math.max(this.stepNumber, 1), rejected: side === 'mavlink' ? 3 : 0 });
+    const totals = (side) => ({
+      ...this.totals[side],
+      rate_hz: (this.totals[side].messages * stepsPerSecond) / Math.max(this.stepNumber, 1),
+      rejected: side === 'mavlink' ? 3 : 0,
+    });
     return {
       kind: 'status',
       edition: '3',
@@ -134,7 +151,14 @@ export class Bridge {
       budget_ms: 500,
       vehicle_links: this.links,
       dli_links: ['udpmulticast://239.255.45.86:45860'],
-      vehicles: this.flights.map(({ id, link, system }) => ({ id, link, system, autopilot: 3, type: 2, present: true })),
+      vehicles: this.flights.map(({ id, link, system }) => ({
+        id,
+        link,
+        system,
+        autopilot: 3,
+        type: 2,
+        present: true,
+      })),
       mavlink: totals('mavlink'),
       dli: totals('dli'),
     };
@@ -145,7 +169,15 @@ export class Bridge {
       kind: 'traffic',
       mavlink: [...this.rows.mavlink.values()],
       dli: [...this.rows.dli.values()],
-      senders: this.flights.map(({ link, system }) => ({ link, system, component: 1, received: this.stepNumber, lost: 2, late: 1, duplicates: 0 })),
+      senders: this.flights.map(({ link, system }) => ({
+        link,
+        system,
+        component: 1,
+        received: this.stepNumber,
+        lost: 2,
+        late: 1,
+        duplicates: 0,
+      })),
       rejects: [{ side: 'mavlink', link: 1, reason: 'bad checksum', count: 3, bytes: 84 }],
     };
   }
@@ -156,7 +188,14 @@ export class Bridge {
       const share = (part) => sorted[Math.floor(part * (sorted.length - 1))] ?? 0;
       const buckets = Array(bounds_ns.length + 1).fill(0);
       for (const value of sorted) ++buckets[bounds_ns.filter((bound) => bound < value).length];
-      return { count: sorted.length, p50_ns: share(0.5), p95_ns: share(0.95), p99_ns: share(0.99), max_ns: share(1), buckets };
+      return {
+        count: sorted.length,
+        p50_ns: share(0.5),
+        p95_ns: share(0.95),
+        p99_ns: share(0.99),
+        max_ns: share(1),
+        buckets,
+      };
     };
     return {
       kind: 'timing',

@@ -11,7 +11,9 @@ async function violations(page: Page): Promise<string[]> {
   await page.evaluate(axe);
   return page.evaluate(async () => {
     const run = (globalThis as unknown as { axe: { run: () => Promise<{ violations: AxeViolation[] }> } }).axe.run;
-    return (await run()).violations.map(({ id, impact, nodes }) => `${impact} ${id}: ${nodes.map(({ html }) => html).join(' ')}`);
+    return (await run()).violations.map(
+      ({ id, impact, nodes }) => `${impact} ${id}: ${nodes.map(({ html }) => html).join(' ')}`,
+    );
   });
 }
 interface AxeViolation {
@@ -21,7 +23,12 @@ interface AxeViolation {
 }
 
 for (const theme of ['light', 'dark', 'contrast'])
-  for (const [key, view] of [['1', 'bridge'], ['2', 'inspector'], ['3', 'timing'], ['4', 'links']] as const)
+  for (const [key, view] of [
+    ['1', 'bridge'],
+    ['2', 'inspector'],
+    ['3', 'timing'],
+    ['4', 'links'],
+  ] as const)
     it(`has no barrier that axe knows: ${view}, ${theme}`, async () => {
       const page = await test.open({ reducedMotion: 'reduce' });
       await page.locator('.dli-side .hex-bytes').waitFor();

@@ -20,7 +20,10 @@ it('shows both sides, and both move', async () => {
 
 it('marks the bytes of a field and of its partner, and they say the same', async () => {
   const page = await test.open();
-  await page.getByRole('button', { name: /ATTITUDE/ }).first().click();
+  await page
+    .getByRole('button', { name: /ATTITUDE/ })
+    .first()
+    .click();
   await page.locator('.dli-side h3', { hasText: '#4000' }).waitFor();
   await page.locator('.mavlink-side').getByRole('button', { name: 'roll', exact: true }).hover();
   // A message may leave an unchanged roll out: wait for one that has it, and read both sides at one moment.
@@ -33,12 +36,17 @@ it('marks the bytes of a field and of its partner, and they say the same', async
   const difference = bytesOf(mavlink).readFloatLE() - (bytesOf(dli).readInt16BE() * Math.PI) / 32768;
   expect(Math.abs(difference)).toBeLessThan(Math.PI / 32768);
   expect(await page.locator('.bits .marked').textContent()).toContain('Roll');
-  expect(await page.locator('.rule-side').textContent()).toMatch(/ATTITUDE roll.*fact roll rad.*#4000 Roll.*Confidence.*standard/s);
+  expect(await page.locator('.rule-side').textContent()).toMatch(
+    /ATTITUDE roll.*fact roll rad.*#4000 Roll.*Confidence.*standard/s,
+  );
 });
 
 it('shows presence bits, wrapper and binary angles', async () => {
   const page = await test.open();
-  await page.getByRole('button', { name: /ATTITUDE/ }).first().click();
+  await page
+    .getByRole('button', { name: /ATTITUDE/ })
+    .first()
+    .click();
   const side = page.locator('.dli-side');
   await side.getByText('BAM 0x').first().waitFor();
   expect(await side.locator('.bits li').count()).toBe(24);

@@ -10,7 +10,11 @@ it('counts, filters, pauses', async () => {
   await page.locator('.opener', { hasText: 'HEARTBEAT' }).first().waitFor();
   await page.getByLabel('Filter').fill('attitude roll');
   await page.locator('.opener', { hasText: 'HEARTBEAT' }).first().waitFor({ state: 'detached' });
-  const count = page.getByRole('row', { name: /ATTITUDE/ }).first().getByRole('cell').nth(1);
+  const count = page
+    .getByRole('row', { name: /ATTITUDE/ })
+    .first()
+    .getByRole('cell')
+    .nth(1);
   const before = await count.textContent();
   await page.waitForFunction(
     (text) => document.querySelector('.messages tbody td:nth-child(3)')?.textContent !== text,
@@ -19,7 +23,10 @@ it('counts, filters, pauses', async () => {
   await page.getByRole('button', { name: 'Pause' }).click();
   const held = await count.textContent();
   await page.getByRole('button', { name: 'Resume' }).click();
-  await page.waitForFunction((text) => document.querySelector('.messages tbody td:nth-child(3)')?.textContent !== text, held);
+  await page.waitForFunction(
+    (text) => document.querySelector('.messages tbody td:nth-child(3)')?.textContent !== text,
+    held,
+  );
 });
 
 it('plots an element of an array', async () => {

@@ -56,7 +56,10 @@ it('leaves single keys alone when they are switched off', async () => {
 
 it('moves through fields with Tab and arrows, and marks what has the focus', async () => {
   const page = await test.open();
-  await page.getByRole('button', { name: /ATTITUDE/ }).first().focus();
+  await page
+    .getByRole('button', { name: /ATTITUDE/ })
+    .first()
+    .focus();
   await page.keyboard.press('Enter');
   const side = page.locator('.mavlink-side');
   await side.getByRole('button', { name: 'roll', exact: true }).waitFor();

@@ -22,7 +22,11 @@ it('lets a watcher look and not touch, until he has a better token', async () =>
   await page.locator('.dli-side .hex-bytes').waitFor();
   expect(new URL(page.url()).hash).toBe('');
   expect(await page.getByRole('switch', { name: 'Convert' }).isDisabled()).toBe(true);
-  expect(await page.evaluate(async () => (await fetch('/api/v1/conversion', { method: 'PUT', body: '{"on":false}' })).status)).toBe(403);
+  expect(
+    await page.evaluate(
+      async () => (await fetch('/api/v1/conversion', { method: 'PUT', body: '{"on":false}' })).status,
+    ),
+  ).toBe(403);
   await page.getByRole('button', { name: 'Links' }).click();
   await page.getByLabel('Token').fill(commandToken);
   await page.getByRole('button', { name: 'Sign in' }).click();
@@ -33,7 +37,11 @@ it('lets a watcher look and not touch, until he has a better token', async () =>
 
 it('refuses what comes from elsewhere', async () => {
   const headers = { Origin: 'http://elsewhere.example' };
-  const answer = await fetch(`${test.server.url}api/v1/session`, { method: 'POST', headers, body: JSON.stringify({ token: commandToken }) });
+  const answer = await fetch(`${test.server.url}api/v1/session`, {
+    method: 'POST',
+    headers,
+    body: JSON.stringify({ token: commandToken }),
+  });
   expect(answer.status).toBe(403);
   expect(await answer.json()).toMatchObject({ code: 'foreign_origin' });
 });

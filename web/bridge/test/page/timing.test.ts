@@ -10,7 +10,12 @@ it('shows stages, percentiles, histogram and the live chart', async () => {
   await page.locator('.chart canvas').waitFor();
   await page.locator('.histogram rect').first().waitFor();
   for (const stage of ['Decode', 'Translate', 'Send', 'Total'])
-    expect(await page.locator('.stages').getByRole('row', { name: new RegExp(`^${stage}`) }).textContent()).toMatch(/\d.[nµm]s/);
+    expect(
+      await page
+        .locator('.stages')
+        .getByRole('row', { name: new RegExp(`^${stage}`) })
+        .textContent(),
+    ).toMatch(/\d.[nµm]s/);
 });
 
 it('runs the latency study and downloads it', async () => {
@@ -21,7 +26,10 @@ it('runs the latency study and downloads it', async () => {
   await page.getByText('✓ Within the limit (500 ms)').waitFor();
   expect(await page.getByRole('row', { name: /^Mean/ }).textContent()).toMatch(/\d/);
   for (const format of ['JSON', 'CSV', 'HTML']) {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('link', { name: format }).click()]);
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('link', { name: format }).click(),
+    ]);
     expect(download.suggestedFilename()).toBe(`ponte-latency.${format.toLowerCase()}`);
     const text = await readFile(await download.path(), 'utf8');
     expect(text.length).toBeGreaterThan(0);

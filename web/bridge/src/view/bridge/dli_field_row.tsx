@@ -33,9 +33,7 @@ export function DliFieldRow(props: {
           {t('pane.presence.bit')} {field.number - 1}
         </span>
       </th>
-      <td class="code">
-        {range ? hexOf(props.bytes, range) : <i>{t(value ? 'pane.unchanged' : 'pane.absent')}</i>}
-      </td>
+      <td class="code">{range ? hexOf(props.bytes, range) : <i>{t(value ? 'pane.unchanged' : 'pane.absent')}</i>}</td>
       <td class="number">{value && <Raw field={field} value={value} />}</td>
       <td class="number">{value && valueText(value)}</td>
     </tr>

@@ -43,7 +43,9 @@ function Details({ message }: { message: DliMessage }) {
       <dl class="values">
         {Object.entries(values).map(([key, { raw, value, unit, label }]) => {
           const shown = value === undefined ? undefined : shownFromWire(value, unit, settings.units.value);
-          const meaning = shown ? shownText(shown) : (label ?? (value !== undefined && `${plain(value)} ${unit ?? ''}`));
+          const meaning = shown
+            ? shownText(shown)
+            : (label ?? (value !== undefined && `${plain(value)} ${unit ?? ''}`));
           return (
             <div key={key}>
               <dt>{key}</dt>

@@ -43,7 +43,8 @@ function Details({ message }: { message: MavlinkMessage }) {
         <dl class="values">
           {Object.entries(message.fields).map(([name, value]) => {
             const info = catalogue.value?.mavlink(message.id)?.fields.find((field) => field.name === name);
-            const shown = typeof value === 'number' ? shownFromWire(value, info?.unit, settings.units.value) : undefined;
+            const shown =
+              typeof value === 'number' ? shownFromWire(value, info?.unit, settings.units.value) : undefined;
             const meaning = shown ? shownText(shown) : info && catalogue.value?.labelOf(info, value);
             return (
               <div key={name}>
@@ -71,7 +72,11 @@ function FieldPlots({ message, field }: { message: MavlinkMessage; field: string
     return (
       <span class="elements">
         {value.map((_, element) => (
-          <PlotToggle key={element} source={{ side: 'mavlink', sample: message, field, element }} text={`[${element}]`} />
+          <PlotToggle
+            key={element}
+            source={{ side: 'mavlink', sample: message, field, element }}
+            text={`[${element}]`}
+          />
         ))}
       </span>
     );
