@@ -83,7 +83,7 @@ export interface DliValue {
   raw: number | string;
   value?: number;
   unit?: string;
-  label?: string;
+  label?: string | string[]; // several: the set bits of a bitmap
 }
 
 export type DliFields = Record<string, DliValue>;

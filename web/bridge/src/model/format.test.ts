@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { durationText, fixed, plain, sizeText, valueText } from './format';
+import { durationText, fixed, meaningText, plain, sizeText, valueText } from './format';
 
 it.each([
   [0, '0\u00a0ns'],
@@ -30,4 +30,12 @@ it('shows arrays, texts and what JSON numbers cannot hold', () => {
 
 it('shows sizes', () => {
   expect([sizeText(999), sizeText(18_500), sizeText(2_500_000)]).toEqual(['999\u00a0B', '18.5\u00a0kB', '2.5\u00a0MB']);
+});
+
+it('shows what a DLI field means', () => {
+  expect(meaningText({ raw: 3, label: 'WGS-84' }, 'si')).toBe('WGS-84');
+  expect(meaningText({ raw: 5, label: ['Station 1', 'Station 3'] }, 'si')).toBe('Station 1 | Station 3');
+  expect(meaningText({ raw: 1820, value: 0.17449, unit: 'rad' }, 'aviation')).toBe('10.00°');
+  expect(meaningText({ raw: 10, value: 10, unit: 's' }, 'si')).toBe('10 s');
+  expect(meaningText({ raw: -1 }, 'si')).toBe('');
 });

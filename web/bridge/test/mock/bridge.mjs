@@ -3,19 +3,25 @@ import { Flight, stepsPerSecond } from './flight.mjs';
 
 const bounds_ns = [10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000, 2_000_000, 5_000_000, 10_000_000];
 const studySamplesPerStep = 2;
+const start_us = Date.UTC(2026, 0, 1, 12) * 1000;
 
 function summaryOf(series) {
   const sorted = [...series].sort((a, b) => a - b);
   const mean_us = series.reduce((sum, value) => sum + value, 0) / series.length;
   const squares = series.reduce((sum, value) => sum + (value - mean_us) ** 2, 0);
+  const [min_us, max_us] = [sorted[0], sorted.at(-1)];
   return {
+    count: series.length,
     mean_us,
     median_us: sorted[Math.floor((sorted.length - 1) / 2)],
     p95_us: sorted[Math.floor(0.95 * (sorted.length - 1))],
-    min_us: sorted[0],
-    max_us: sorted.at(-1),
+    p99_us: sorted[Math.floor(0.99 * (sorted.length - 1))],
+    min_us,
+    max_us,
     standard_deviation_us: Math.sqrt(squares / (series.length - 1)),
+    peak_to_peak_us: max_us - min_us,
     slope_us_per_sample: 0.01,
+    intercept_us: mean_us,
   };
 }
 
@@ -78,7 +84,7 @@ export class Bridge {
   note(code, severity, text, vehicle) {
     const event = {
       number: this.events.length + 1,
-      time_ms: Date.UTC(2026, 0, 1, 12) + 50 * this.stepNumber,
+      time_ms: start_us / 1000 + 50 * this.stepNumber,
       code,
       severity,
       ...(vehicle && { vehicle }),
@@ -124,17 +130,43 @@ export class Bridge {
 
   studyResult() {
     const samples = Array.from({ length: this.study.samples }, (_, sample) => {
-      const direct_us = 40 + (sample % 7);
-      const converted_us = 90 + ((sample * 13) % 29);
-      return { index: sample + 1, direct_us, converted_us, delay_us: converted_us - direct_us };
+      const [present_direct_us, present_converted_us] = [30 + (sample % 7), 50 + ((sample * 13) % 29)];
+      const [decoded_us, translated_us, sent_us] = [10, 25, 40];
+      const [direct_us, converted_us] = [decoded_us + present_direct_us, sent_us + present_converted_us];
+      return {
+        index: sample + 1,
+        time_us: start_us + 50_000 * sample,
+        sequence: sample % 256,
+        received_us: 50_000 * sample,
+        decoded_us,
+        translated_us,
+        sent_us,
+        present_direct_us,
+        present_converted_us,
+        direct_us,
+        converted_us,
+        delay_us: converted_us - direct_us,
+      };
     });
-    const { limit_ms } = this.study;
+    const of = (value) => summaryOf(samples.map(value));
     const summary = {
-      direct: summaryOf(samples.map(({ direct_us }) => direct_us)),
-      converted: summaryOf(samples.map(({ converted_us }) => converted_us)),
-      delay: summaryOf(samples.map(({ delay_us }) => delay_us)),
+      direct: of(({ direct_us }) => direct_us),
+      converted: of(({ converted_us }) => converted_us),
+      delay: of(({ delay_us }) => delay_us),
+      decode: of(({ decoded_us }) => decoded_us),
+      translate: of(({ decoded_us, translated_us }) => translated_us - decoded_us),
+      send: of(({ translated_us, sent_us }) => sent_us - translated_us),
+      present_direct: of(({ present_direct_us }) => present_direct_us),
+      present_converted: of(({ present_converted_us }) => present_converted_us),
     };
-    return { limit_ms, pass: summary.delay.max_us < limit_ms * 1000, summary, samples };
+    const { limit_ms } = this.study;
+    return {
+      limit_ms,
+      pass: summary.delay.max_us < limit_ms * 1000,
+      summary,
+      conditions: { machine: 'mock' },
+      samples,
+    };
   }
 
   status() {
