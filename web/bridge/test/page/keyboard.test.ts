@@ -33,7 +33,7 @@ it('does everything by single keys', async () => {
   expect(await page.getByLabel('Filtro').inputValue()).toBe('2');
 });
 
-it('lists the keys, and closes the list with Escape', async () => {
+it('lists the keys, and closes the list with Escape or its button', async () => {
   const page = await test.open();
   await page.keyboard.press('?');
   const help = page.getByRole('dialog', { name: 'Keys' });
@@ -41,6 +41,9 @@ it('lists the keys, and closes the list with Escape', async () => {
   expect(await help.locator('kbd').count()).toBe(14);
   await page.keyboard.press('2');
   await page.keyboard.press('Escape');
+  await help.waitFor({ state: 'hidden' });
+  await page.keyboard.press('?');
+  await help.getByRole('button', { name: 'Close' }).click();
   await help.waitFor({ state: 'hidden' });
   expect(await page.locator('nav [aria-current=page]').textContent()).toBe('Bridge');
 });
