@@ -3,19 +3,61 @@
 Each figure is a ratio against a peer in the same run where there is one; the targets are those of the issues.
 """
 
+from __future__ import annotations
+
 import argparse
 import gzip
 import json
 import subprocess
 import sys
 import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
 from pathlib import Path
-
-from pymavlink.dialects.v20 import all as dialect
 
 RECORDING = Path("tests/recordings/px4_mission_v2_trimmed.tlog.gz")
 REPETITIONS = 3
-TARGETS = {"parse": ("ratio", 8.0), "translate p50": ("at most", 2000.0), "translate p99": ("at most", 10000.0)}
+
+
+@dataclass
+class Figure:
+    """One line of the result. `target` is the least or the largest that passes, of the ratio if there is a peer."""
+
+    bench: str
+    case: str
+    value: float
+    unit: str
+    peer: str | None
+    peer_value: float | None
+    target: float | None
+    at_least: bool = False
+
+    @property
+    def ratio(self) -> float | None:
+        return self.value / self.peer_value if self.peer_value else None
+
+    @property
+    def passed(self) -> bool | None:
+        if self.target is None:
+            return None
+        judged = self.ratio if self.ratio is not None else self.value
+        return judged >= self.target if self.at_least else judged <= self.target
+
+    def as_json(self) -> str:
+        line = asdict(self) | {"ratio": self.ratio, "pass": self.passed}
+        del line["at_least"]
+        return json.dumps(line)
+
+    def as_row(self) -> str:
+        def number(value: float | None, form: str) -> str:
+            return "-" if value is None else format(value, form)
+
+        verdict = {None: "", True: "pass", False: "MISSED"}[self.passed]
+        return (
+            f"{self.bench:8} {self.case:24} {self.value:12.0f} {self.unit:9} {self.peer or '-':12} "
+            f"{number(self.peer_value, '12.0f'):>12} {number(self.ratio, '8.2f'):>8} "
+            f"{number(self.target, '8.2f'):>9} {verdict}"
+        )
 
 
 def frames_of(recording: Path) -> bytes:
@@ -33,6 +75,8 @@ def frames_of(recording: Path) -> bytes:
 
 def pymavlink_rate(stream: bytes) -> float:
     """Frames per second, the best of several passes."""
+    from pymavlink.dialects.v20 import all as dialect
+
     best = 0.0
     for _ in range(REPETITIONS):
         parser = dialect.MAVLink(None)
@@ -45,42 +89,48 @@ def pymavlink_rate(stream: bytes) -> float:
     return best
 
 
-def judge(name: str, value: float, peer_value: float | None) -> tuple[float | None, float, bool]:
-    kind, target = TARGETS[name]
-    ratio = value / peer_value if peer_value else None
-    return ratio, target, (ratio >= target if kind == "ratio" and ratio else value <= target)
+def measured_by(program: Path) -> dict[str, float]:
+    """What a benchmark program prints: the value of each case."""
+    output = subprocess.run([program, RECORDING], check=True, capture_output=True, text=True).stdout
+    return {figure["case"]: figure["value"] for figure in map(json.loads, output.splitlines())}
+
+
+def parse(programs: Path) -> list[Figure]:
+    rate = measured_by(programs / "bench_parse")["parse"]
+    peer = pymavlink_rate(frames_of(RECORDING))
+    return [Figure("parse", "parse", rate, "frames/s", "pymavlink", peer, 8.0, at_least=True)]
+
+
+def vsm(programs: Path) -> list[Figure]:
+    value = measured_by(programs / "bench_vsm")
+    alone = [("frame to DLI bytes p50", 2000.0), ("frame to DLI bytes p99", 10000.0)]
+    relay = "plain relay"
+    return [Figure("vsm", case, value[case], "ns", None, None, target) for case, target in alone] + [
+        Figure("vsm", f"over loopback {part}", value[f"over loopback {part}"], "ns", relay, value[f"{relay} {part}"], target)
+        for part, target in (("p50", 1.25), ("p99", None))
+    ]
+
+
+BENCHES: dict[str, Callable[[Path], list[Figure]]] = {"parse": parse, "vsm": vsm}
 
 
 def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__)
-    arguments.add_argument("names", nargs="*", help="only these: read_recording")
+    arguments.add_argument("names", nargs="*", metavar="NAME", help=f"only these: {', '.join(BENCHES)}")
     arguments.add_argument("--programs", type=Path, required=True)
     arguments.add_argument("--output-json", type=Path)
     options = arguments.parse_args()
-    known = {"read_recording"}
-    if unknown := set(options.names) - known:
-        arguments.error(f"no such benchmark: {', '.join(sorted(unknown))}; there is {', '.join(sorted(known))}")
+    if unknown := set(options.names) - set(BENCHES):
+        arguments.error(f"no such benchmark: {', '.join(sorted(unknown))}; there is {', '.join(BENCHES)}")
 
-    output = subprocess.run(
-        [options.programs / "bench_read_recording", RECORDING], check=True, capture_output=True, text=True
-    ).stdout
-    peers = {"parse": ("pymavlink", pymavlink_rate(frames_of(RECORDING)))}
-    lines = []
-    print(f"{'bench':16} {'case':16} {'value':>14} {'unit':9} {'peer':10} {'peer value':>12} {'ratio':>8} {'target':>9}")
-    for figure in map(json.loads, output.splitlines()):
-        name, value = figure["case"], figure["value"]
-        peer, peer_value = peers.get(name, (None, None))
-        ratio, target, passed = judge(name, value, peer_value)
-        lines.append(
-            {"bench": "read_recording", "case": name, "value": value, "unit": figure["unit"], "peer": peer,
-             "peer_value": peer_value, "ratio": ratio, "target": target, "pass": passed}
-        )
-        print(
-            f"{'read_recording':16} {name:16} {value:14.0f} {figure['unit']:9} {peer or '-':10} "
-            f"{peer_value or 0:12.0f} {ratio or 0:8.1f} {target:9.0f} {'pass' if passed else 'MISSED'}"
-        )
+    figures: list[Figure] = []
+    print(f"{'bench':8} {'case':24} {'value':>12} {'unit':9} {'peer':12} {'peer value':>12} {'ratio':>8} {'target':>9}")
+    for name in options.names or BENCHES:
+        for figure in BENCHES[name](options.programs):
+            figures.append(figure)
+            print(figure.as_row(), flush=True)
     if options.output_json:
-        options.output_json.write_text("".join(json.dumps(line) + "\n" for line in lines))
+        options.output_json.write_text("".join(figure.as_json() + "\n" for figure in figures))
     return 0
 
 

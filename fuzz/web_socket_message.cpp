@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!request) PONTE_ASSERT(!request.error().empty());
 
   BridgeView view{dli::messages::catalogue, {}};
-  ClientFeed feed{view, Role::watch, "1"};
+  ClientFeed feed{view, Role::watch, false, "1"};
   PONTE_ASSERT(feed.on_message({}, text));
   bool is_refused = false;
   while (const auto message = feed.take({})) is_refused |= message->starts_with(R"({"kind":"refusal")");

@@ -1,4 +1,5 @@
 #include "common/failure.hpp"
+#include "demo/demo.hpp"
 #include "inspect/inspect.hpp"
 #include "latency/latency.hpp"
 #include "ports/ports.hpp"
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.fallthrough();
   app.require_subcommand(1);
+  ponte::app::add_demo(app);
   ponte::app::add_inspect(app);
   ponte::app::add_latency(app);
   ponte::app::add_ports(app);
@@ -46,7 +48,9 @@ int main(int argc, char** argv) {
                error.what());
     return bad_usage;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "ponte: {}\nTry: ponte --help\n", error.what());
+    const auto chosen = app.get_subcommands();
+    fmt::print(stderr, "ponte: {}\nTry: ponte {}--help\n", error.what(),
+               chosen.empty() ? "" : chosen.front()->get_name() + " ");
     return bad_usage;
   } catch (const ponte::app::UsageError& error) {
     fmt::print(stderr, "ponte: {}\n", error.what());

@@ -87,7 +87,7 @@ def test_csv_and_json_tell_the_same(study: Study) -> None:
 def test_the_times_of_a_sample_add_up(study: Study) -> None:
     last = -1.0
     for sample in study.result["samples"]:
-        assert sample["received_us"] > last
+        assert sample["received_us"] >= last
         last = sample["received_us"]
         assert 0 <= sample["decoded_us"] <= sample["translated_us"] <= sample["sent_us"]
         assert sample["present_direct_us"] > 0 and sample["present_converted_us"] > 0
@@ -148,13 +148,31 @@ def test_the_page_stands_alone_and_has_three_charts(study: Study, vehicle: str) 
     page = ElementTree.fromstring(text)
     charts = page.findall(".//svg")
     assert len(charts) == 3
-    lines = [[line for line in chart.iter("polyline")] for chart in charts]
+    lines = [list(chart.iter("polyline")) for chart in charts]
     assert [len(of_chart) for of_chart in lines] == [2, 3, 2]
     for chart, of_chart in zip(charts, lines):
         assert chart.findtext("title") and chart.findtext("desc")
         assert {len(line.attrib["points"].split()) for line in of_chart} == {SAMPLES}
+    result = study.result
+    times = [series(result["samples"], name) for name in ("direct", "converted", "delay")]
+    trend = result["summary"]["delay"]
+    line = [trend["intercept_us"] + trend["slope_us_per_sample"] * (index + 1) for index in range(SAMPLES)]
+    for drawn, values in zip(lines, [times[:2], times, [times[2], line]]):
+        assert_drawn(drawn, values)
     assert "PASS" in (page.findtext(".//p[@class='verdict pass']") or "")
     assert vehicle in "".join(page.itertext())
+
+
+def assert_drawn(lines: list[ElementTree.Element], values: list[list[float]]) -> None:
+    """All lines of a chart are drawn to one scale: equal steps to the right, greater values higher up."""
+    points = [[tuple(map(float, point.split(","))) for point in line.attrib["points"].split()] for line in lines]
+    heights = [y for of_line in points for _, y in of_line]
+    scale = statistics.linear_regression([value for of_line in values for value in of_line], heights)
+    assert scale.slope < 0
+    for of_line, wanted in zip(points, values):
+        steps = [right[0] - left[0] for left, right in zip(of_line, of_line[1:])]
+        assert steps == pytest.approx([steps[0]] * len(steps), abs=0.11)
+        assert [y for _, y in of_line] == pytest.approx([scale.intercept + scale.slope * v for v in wanted], abs=0.15)
 
 
 def test_json_lines(ponte: Path, vehicle: str) -> None:
@@ -185,9 +203,9 @@ def test_a_limit_that_is_exceeded_fails(ponte: Path, vehicle: str, tmp_path: Pat
     assert "FAIL" in (ElementTree.fromstring(page.read_text()).findtext(".//p[@class='verdict fail']") or "")
 
 
-def failure_of(ponte: Path, vehicle: str, *options: str) -> str:
+def failure_of(ponte: Path, vehicle: str, patience_s: str) -> str:
     """The one line with which a study that cannot be done ends."""
-    finished = run([ponte, "latency", "--vehicle", vehicle, "--patience", "0.5", "--quiet", *options])
+    finished = run([ponte, "latency", "--vehicle", vehicle, "--patience", patience_s, "--quiet"])
     assert (finished.returncode, finished.stdout) == (1, "")
     assert len(finished.stderr.splitlines()) == 1
     return finished.stderr
@@ -195,7 +213,7 @@ def failure_of(ponte: Path, vehicle: str, *options: str) -> str:
 
 def test_silence_is_said(ponte: Path) -> None:
     endpoint = f"udpin://127.0.0.1:{free_port()}"
-    line = failure_of(ponte, endpoint)
+    line = failure_of(ponte, endpoint, "0.5")
     assert endpoint in line and "0 of 30 samples" in line and "nothing was heard in 0.5 s" in line
 
 
@@ -220,7 +238,7 @@ ATTITUDE = frame("attitude", 1, 0.1, 0.2, 0.3, 0.0, 0.0, 0.0)
 def test_what_was_heard_instead_is_said(ponte: Path, said: bytes, reason: str) -> None:
     port = free_port()
     with talking_to(port, said):
-        assert reason in failure_of(ponte, f"udpin://127.0.0.1:{port}")
+        assert reason in failure_of(ponte, f"udpin://127.0.0.1:{port}", "2")
 
 
 @contextmanager
@@ -238,6 +256,20 @@ def talking_to(port: int, datagram: bytes) -> Iterator[None]:
     yield
     end.set()
     thread.join()
+
+
+# There was no wake-up of the timer to summarise.
+def test_a_study_that_is_over_at_once(ponte: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        endpoint = f"tcpout://127.0.0.1:{server.getsockname()[1]}"
+        command = [ponte, "latency", "--vehicle", endpoint, "--samples", "1", "--quiet"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+            connection, _ = server.accept()
+            connection.sendall(HEARTBEAT + ATTITUDE)
+            assert process.stdout is not None
+            assert process.stdout.read().splitlines()[-1].startswith("PASS: ")
+            connection.close()
+    assert process.returncode == 0
 
 
 def test_an_interrupted_study_says_how_far_it_came(ponte: Path, vehicle: str) -> None:

@@ -16,7 +16,7 @@ import yaml
 from jsonschema import Draft202012Validator
 from referencing import Registry
 from referencing.jsonschema import DRAFT202012
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
 
 from programs import REPOSITORY, parse_json
 
@@ -156,22 +156,23 @@ class Server:
             headers.setdefault("Cookie", self.cookie)
         origin = headers.pop("Origin", None)
         scheme, context = ("ws", None) if self.scheme == "http" else ("wss", untrusting_context())
-        socket = connect(f"{scheme}://127.0.0.1:{self.port}/api/v1/stream", additional_headers=headers, origin=origin,
-                         ssl=context, compression=None, open_timeout=PATIENCE_S, max_size=None, proxy=None)
-        return Stream(socket)
+        opening = connect(f"{scheme}://127.0.0.1:{self.port}/api/v1/stream", additional_headers=headers, origin=origin,
+                          ssl=context, compression=None, open_timeout=PATIENCE_S, max_size=None, proxy=None)
+        return Stream(opening)
 
 
 class Stream:
     """The WebSocket; every message of the server is checked against the contract."""
 
-    def __init__(self, socket: ClientConnection) -> None:
-        self.socket = socket
+    def __init__(self, opening: Any) -> None:
+        self.opening = opening
+        self.socket = opening.__enter__()
 
     def __enter__(self) -> Stream:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self.socket.close()
+    def __exit__(self, *error: Any) -> None:
+        self.opening.__exit__(*error)
 
     def next(self, *kinds: str) -> Any:
         """The next message of these kinds, or of any."""

@@ -52,11 +52,10 @@ void add_realtime_option(CLI::App& command, std::optional<int>& priority) {
 void enter_realtime(int priority) {
   const sched_param parameters{.sched_priority = priority};
   if (::sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) != 0)
-    throw Failure{
-        fmt::format("--realtime {}: the system refuses the priority ({}); give the program CAP_SYS_NICE or its user an "
-                    "rtprio limit "
-                    "of at least {}, see docs/realtime.md",
-                    priority, std::strerror(errno), priority)};
+    throw Failure{fmt::format(
+        "--realtime {}: the system refuses the priority ({}); give the program CAP_SYS_NICE or its user an rtprio "
+        "limit of at least {}, see docs/realtime.md",
+        priority, std::strerror(errno), priority)};
   if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     throw Failure{fmt::format(
         "--realtime {}: the system does not lock the memory ({}); give the program CAP_IPC_LOCK or its user an "

@@ -11,7 +11,15 @@
 namespace ponte::app {
 namespace {
 
-dli::Profile profile_from(const VsmOptions& options) {
+template <std::size_t Size>
+Text<Size> text_from(const char* option, const std::string& text) {
+  if (text.size() > Size) throw UsageError{fmt::format("{}: at most {} characters", option, Size)};
+  return Text<Size>{text};
+}
+
+}  // namespace
+
+dli::Profile profile_from(const ProfileOptions& options) {
   if (options.profile.empty()) return dli::Profile{options.edition == "3" ? dli::Edition::ed3 : dli::Edition::ed_a};
   const auto loaded = load_file(options.profile);
   const std::string_view text{reinterpret_cast<const char*>(loaded.bytes.data()), loaded.bytes.size()};
@@ -22,20 +30,16 @@ dli::Profile profile_from(const VsmOptions& options) {
   return *profile;
 }
 
-template <std::size_t Size>
-Text<Size> text_from(const char* option, const std::string& text) {
-  if (text.size() > Size) throw UsageError{fmt::format("{}: at most {} characters", option, Size)};
-  return Text<Size>{text};
-}
-
-}  // namespace
-
-void add_vsm_options(CLI::App& command, VsmOptions& options) {
+void add_profile_options(CLI::App& command, ProfileOptions& options) {
   auto* edition = command.add_option("--edition", options.edition, "Edition of the standard")
                       ->check(CLI::IsMember({"3", "A"}))
                       ->capture_default_str();
   command.add_option("--profile", options.profile, "TOML file: edition, checksum, scales that differ")
       ->excludes(edition);
+}
+
+void add_vsm_options(CLI::App& command, VsmOptions& options) {
+  add_profile_options(command, options.dli);
   command.add_option("--owning-id", options.owning_id, "Owning code of the ids, e.g. 20 Portugal; 255 is reserved")
       ->check(CLI::Range(0U, 254U))
       ->capture_default_str();
@@ -51,7 +55,7 @@ void add_vsm_options(CLI::App& command, VsmOptions& options) {
 
 vsm::TelemetryConfig telemetry_config_from(const VsmOptions& options) {
   vsm::TelemetryConfig config;
-  config.profile = profile_from(options);
+  config.profile = profile_from(options.dli);
   config.vsm = dli::EntityId{static_cast<std::uint8_t>(options.owning_id), dli::EntityType::vsm, options.vsm_id};
   config.description.vehicle_type = static_cast<std::uint16_t>(options.vehicle_type);
   config.description.tail_number = text_from<15>("--tail-number", options.tail_number);

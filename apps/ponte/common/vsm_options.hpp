@@ -8,10 +8,20 @@
 
 namespace ponte::app {
 
-/// What a command line says of the VSM that it makes: edition or profile, and ids.
-struct VsmOptions {
+/// What a command line says of the DLI that is spoken: an edition or a profile.
+struct ProfileOptions {
   std::string edition{"3"};
   std::string profile;
+};
+
+void add_profile_options(CLI::App& command, ProfileOptions& options);
+
+/// Throws `Failure`.
+[[nodiscard]] dli::Profile profile_from(const ProfileOptions& options);
+
+/// What a command line says of the VSM that it makes.
+struct VsmOptions {
+  ProfileOptions dli;
   unsigned owning_id{20};
   unsigned vsm_id{1};
   unsigned vehicle_type{};

@@ -4,11 +4,6 @@
 
 namespace ponte::app {
 
-std::optional<double> MessageTally::rate() const {
-  if (!first || !last || *last <= *first) return std::nullopt;
-  return static_cast<double>(count - 1) / std::chrono::duration<double>(*last - *first).count();
-}
-
 std::string MessageTally::name(mavlink::MessageId id) const {
   return message != nullptr ? std::string{message->name} : fmt::format("unknown:{}", id.value);
 }
@@ -21,11 +16,7 @@ void Traffic::on_frame(std::size_t, std::optional<WallTime> time, const mavlink:
   losses.on_frame(frame.system, frame.component, frame.sequence);
   auto& tally = messages[{frame.system, frame.component, frame.message}];
   tally.message = message;
-  ++tally.count;
-  if (!tally.first) tally.first = time;
-  tally.last = time;
-  const auto payload = message != nullptr ? readable_payload(frame, *message) : frame.payload;
-  tally.last_payload.assign(payload.begin(), payload.end());
+  tally.add(time, message != nullptr ? readable_payload(frame, *message) : frame.payload);
 }
 
 void Traffic::on_damage(std::size_t offset, std::optional<WallTime>, Bytes bytes, std::string_view reason) {

@@ -1,24 +1,18 @@
 #pragma once
 
 #include "common/capture.hpp"
+#include "inspect/tally.hpp"
 #include "ponte/mavlink/link_statistics.hpp"
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace ponte::app {
 
 /// What came from one sender as one message type.
-struct MessageTally {
-  const mavlink::MessageInfo* message{};  ///< nothing: not in the dialect
-  std::uint64_t count{};
-  std::optional<WallTime> first{};
-  std::optional<WallTime> last{};
-  std::vector<std::byte> last_payload{};
+struct MessageTally : Tally {
+  const mavlink::MessageInfo* message{};  ///< nothing: not in the dialect; `last_bytes` is the payload
 
-  /// Messages per second; nothing when all came at one time.
-  [[nodiscard]] std::optional<double> rate() const;
   [[nodiscard]] std::string name(mavlink::MessageId id) const;
 };
 

@@ -109,7 +109,7 @@ void print_summaries(const vsm::LatencyStudy& study) {
   fmt::print("{:<18}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "", "mean", "median", "p95", "p99", "min", "max",
              "st.dev.");
   for (const auto& quantity : vsm::latency_quantities()) print_summary(quantity.name, summary_of(study, quantity.of));
-  print_summary("timer late", vsm::summarise(study.wakeups_late_us));
+  if (!study.wakeups_late_us.empty()) print_summary("timer late", vsm::summarise(study.wakeups_late_us));
 }
 
 void print_tables(const vsm::LatencyStudy& study) {

@@ -20,27 +20,6 @@ vsm::BridgeConfig every_sample(const vsm::TelemetryConfig& telemetry) {
 
 }  // namespace
 
-/// A ground station that only listens, so that sending has somebody to send to.
-class StudyRun::Sink final : public transport::LinkHandler {
- public:
-  explicit Sink(transport::Loop& loop) {
-    auto opened = transport::open_link(loop, transport::UdpInEndpoint{{"127.0.0.1", 0}}, *this);
-    if (!opened) throw Failure{transport::to_text(opened.error())};
-    link_ = std::move(*opened);
-  }
-
-  void on_bytes(Timestamp, Bytes, transport::PeerId) override {}
-  void on_datagram(Timestamp, Bytes, transport::PeerId) override {}
-  void on_state(Timestamp, transport::LinkState, std::string_view) override {}
-
-  [[nodiscard]] transport::Endpoint place() const {
-    return transport::UdpOutEndpoint{{"127.0.0.1", link_->local_port()}};
-  }
-
- private:
-  std::unique_ptr<transport::Link> link_;
-};
-
 StudyRun::StudyRun(const StudyPlan& plan, Log log, std::function<void(std::size_t)> on_sample)
     : plan_{plan},
       on_sample_{std::move(on_sample)},
@@ -52,16 +31,14 @@ StudyRun::StudyRun(const StudyPlan& plan, Log log, std::function<void(std::size_
                 }} {
   samples_.reserve(plan.samples);
   vsm_.add_vehicle(plan.vehicle);
-  if (!plan.dli) sink_ = std::make_unique<Sink>(loop_);
-  vsm_.add_dli(plan.dli ? *plan.dli : sink_->place());
+  if (!plan.dli) station_ = std::make_unique<LocalStation>(loop_);
+  vsm_.add_dli(plan.dli ? *plan.dli : station_->place());
   vsm_.observe_crossings([this](const Crossing& crossing) { probe_.take(crossing); });
   loop_.on_signal([this](int) {
     failure_ = "interrupted";
     loop_.stop();
   });
 }
-
-StudyRun::~StudyRun() = default;
 
 StudyData StudyRun::run() {
   if (plan_.realtime) enter_realtime(*plan_.realtime);

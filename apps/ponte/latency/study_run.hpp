@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/local_station.hpp"
 #include "common/log.hpp"
 #include "latency/latency_probe.hpp"
 #include "latency/wakeup_watch.hpp"
@@ -37,21 +38,18 @@ class StudyRun {
  public:
   /// `on_sample` is called with the count so far. Throws `Failure`.
   StudyRun(const StudyPlan& plan, Log log, std::function<void(std::size_t count)> on_sample);
-  ~StudyRun();
 
   /// Throws `Failure`, with what was heard, if a sample does not come in time or the program is interrupted.
   [[nodiscard]] StudyData run();
 
  private:
-  class Sink;
-
   void take(const vsm::LatencySample& sample);
   [[nodiscard]] std::string what_was_heard() const;
 
   StudyPlan plan_;
   std::function<void(std::size_t count)> on_sample_;
   transport::Loop loop_;
-  std::unique_ptr<Sink> sink_;
+  std::unique_ptr<LocalStation> station_;
   LiveVsm vsm_;
   LatencyProbe probe_;
   std::vector<vsm::LatencySample> samples_;

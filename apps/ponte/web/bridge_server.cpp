@@ -213,7 +213,7 @@ HttpResponse BridgeServer::handle(Timestamp now, const HttpRequest& request) { r
 Result<std::unique_ptr<vsm::view::ClientFeed>, HttpResponse> BridgeServer::admit(const HttpRequest& request) {
   auto role = router_.admit(request);
   if (!role) return fail(std::move(role.error()));
-  return std::make_unique<vsm::view::ClientFeed>(view_, *role, PONTE_VERSION);
+  return std::make_unique<vsm::view::ClientFeed>(view_, *role, access_.needs_session(), PONTE_VERSION);
 }
 
 }  // namespace ponte::app

@@ -83,7 +83,7 @@ export interface DliValue {
   raw: number | string;
   value?: number;
   unit?: string;
-  label?: string;
+  label?: string | string[]; // several: the set bits of a bitmap
 }
 
 export type DliFields = Record<string, DliValue>;
@@ -209,32 +209,27 @@ export interface Problem {
   detail: string;
 }
 
+export interface StudySummary {
+  mean_us: number;
+  median_us: number;
+  p95_us: number;
+  min_us: number;
+  max_us: number;
+  standard_deviation_us: number;
+  slope_us_per_sample: number;
+}
+
+export const studySeries = ['direct', 'converted', 'delay'] as const;
+
 export interface StudyResult {
   limit_ms: number;
   pass: boolean;
-  samples: { sequence: number; direct_us: number; converted_us: number; delay_us: number }[];
-  summary: {
-    mean_us: number;
-    min_us: number;
-    max_us: number;
-    standard_deviation_us: number;
-    p95_us: number;
-    slope_us_per_sample: number;
-  };
+  summary: Record<(typeof studySeries)[number], StudySummary>;
+  samples: { index: number; direct_us: number; converted_us: number; delay_us: number }[];
 }
 
 export type MavlinkType =
-  | 'char'
-  | 'uint8'
-  | 'int8'
-  | 'uint16'
-  | 'int16'
-  | 'uint32'
-  | 'int32'
-  | 'uint64'
-  | 'int64'
-  | 'float'
-  | 'double';
+  'char' | 'uint8' | 'int8' | 'uint16' | 'int16' | 'uint32' | 'int32' | 'uint64' | 'int64' | 'float' | 'double';
 
 export interface MavlinkFieldInfo {
   name: string;

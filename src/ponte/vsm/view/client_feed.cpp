@@ -26,10 +26,11 @@ Result<WatchRequest, std::string> parse_watch_request(std::string_view text) {
   return request;
 }
 
-ClientFeed::ClientFeed(BridgeView& view, Role role, std::string_view version)
+ClientFeed::ClientFeed(BridgeView& view, Role role, bool has_session, std::string_view version)
     : view_{&view}, next_event_{view.events().first_for_newcomers()} {
   JsonText json;
-  json.begin_object().member("kind", "hello").member("version", version).member("role", name_of(role)).end_object();
+  json.begin_object().member("kind", "hello").member("version", version).member("role", name_of(role));
+  json.member("session", has_session).end_object();
   hello_ = json.text();
 }
 

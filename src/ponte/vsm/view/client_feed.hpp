@@ -36,8 +36,8 @@ class ClientFeed {
   static constexpr std::size_t message_size_max = 1024;  ///< of what a client may send
   static constexpr unsigned messages_per_second = 20;    ///< of what a client may send
 
-  /// The view outlives the feed.
-  ClientFeed(BridgeView& view, Role role, std::string_view version);
+  /// The view outlives the feed. `has_session` tells whether the role comes from a token.
+  ClientFeed(BridgeView& view, Role role, bool has_session, std::string_view version);
 
   /// A message of the client. False: they come too often, and the connection should be closed.
   [[nodiscard]] bool on_message(Timestamp now, std::string_view text);

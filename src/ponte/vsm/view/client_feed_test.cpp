@@ -38,15 +38,15 @@ class FeedBench : public ViewBench {
     return result;
   }
 
-  ClientFeed feed{view, Role::watch, "1.2.3"};
+  ClientFeed feed{view, Role::watch, true, "1.2.3"};
 };
 
 TEST(ClientFeed, BeginsWithHelloStatusEventsAndStudy) {
   FeedBench bench;
   bench.add_event("before");
-  ClientFeed late{bench.view, Role::command, "1.2.3"};
+  ClientFeed late{bench.view, Role::command, false, "1.2.3"};
   const auto hello = json::parse(*late.take(bench.now));
-  EXPECT_EQ(hello, json({{"kind", "hello"}, {"version", "1.2.3"}, {"role", "command"}}));
+  EXPECT_EQ(hello, json({{"kind", "hello"}, {"version", "1.2.3"}, {"role", "command"}, {"session", false}}));
   EXPECT_EQ(json::parse(*late.take(bench.now))["kind"], "status");
   EXPECT_EQ(json::parse(*late.take(bench.now))["events"][0]["text"], "before");
   EXPECT_EQ(json::parse(*late.take(bench.now))["kind"], "study");
@@ -183,7 +183,7 @@ TEST(ClientFeed, TwentyMessagesASecondAreEnough) {
 
 TEST(ClientFeed, ClientsThatAreToldTheSameShareTheText) {
   FeedBench bench;
-  ClientFeed other{bench.view, Role::watch, "1.2.3"};
+  ClientFeed other{bench.view, Role::watch, true, "1.2.3"};
   while (other.take(bench.now)) {
   }
   bench.taken();

@@ -1,6 +1,6 @@
-import type { Crossing, DliMessage, MavlinkMessage } from '../contract';
+import type { Crossing, DliMessage } from '../contract';
 import { Comparison, instrumentKeys, instruments, type InstrumentKey, type Reading } from './instruments';
-import { mavlinkKey } from './traffic';
+import { dliKey, mavlinkKey } from './traffic';
 
 /** What crosses the bridge again and again: one MAVLink message type of one component, or one DLI message of the clock. */
 export interface Flow {
@@ -13,7 +13,6 @@ export interface Flow {
 /** The newest crossings of the watched vehicle, and its instruments on both sides. */
 export class Crossings {
   private readonly byKey = new Map<string, Flow>();
-  private readonly mavlinkByName = new Map<string, MavlinkMessage>();
   private readonly dliByNumber = new Map<number, DliMessage>();
   private readonly comparisons = instrumentKeys.map((key) => new Comparison(instruments[key]));
 
@@ -31,18 +30,15 @@ export class Crossings {
     return this.byKey.get(key);
   }
 
-  newestMavlink(name: string): MavlinkMessage | undefined {
-    return this.mavlinkByName.get(name);
-  }
-
   newestDli(number: number): DliMessage | undefined {
     return this.dliByNumber.get(number);
   }
 
   readings(): Record<InstrumentKey, Reading> {
-    return Object.fromEntries(
-      instrumentKeys.map((key, index) => [key, this.comparisons[index]!.reading()]),
-    ) as Record<InstrumentKey, Reading>;
+    return Object.fromEntries(instrumentKeys.map((key, index) => [key, this.comparisons[index]!.reading()])) as Record<
+      InstrumentKey,
+      Reading
+    >;
   }
 
   private addOne(crossing: Crossing): void {
@@ -50,11 +46,10 @@ export class Crossings {
     if (mavlink !== undefined) {
       const { name, instance } = mavlink;
       this.put(mavlinkKey(mavlink), instance === undefined ? name : `${name} ${instance.value}`, crossing);
-      this.mavlinkByName.set(mavlink.name, mavlink);
       for (const comparison of this.comparisons) comparison.onMavlink(mavlink);
     }
     for (const message of dli) {
-      if (mavlink === undefined) this.put(`#${message.number}`, `#${message.number} ${message.name}`, crossing);
+      if (mavlink === undefined) this.put(dliKey(message), `#${message.number} ${message.name}`, crossing);
       this.dliByNumber.set(message.number, message);
       for (const comparison of this.comparisons) comparison.onDli(message);
     }

@@ -3,7 +3,6 @@ import type { Crossing, StageName } from '../contract';
 /** How long one message took, by stage, in nanoseconds. */
 export interface Delay {
   time: number; // when it was received, s
-  message: string;
   stages: Record<StageName, number>;
 }
 
@@ -15,7 +14,6 @@ export function delayOf({ mavlink, stages_ns }: Crossing): Delay | undefined {
   const { decoded, translated, sent } = stages_ns;
   return {
     time: mavlink.time_us / 1e6,
-    message: mavlink.name,
     stages: { decode: decoded, translate: translated - decoded, send: sent - translated, total: sent },
   };
 }

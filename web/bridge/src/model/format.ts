@@ -1,5 +1,5 @@
-import type { MavlinkValue } from '../contract';
-import type { Shown } from './units';
+import type { DliValue, MavlinkValue } from '../contract';
+import { shownFromWire, type Shown, type UnitSystem } from './units';
 
 /** A number with fixed decimals, never "-0.0". */
 export function fixed(value: number, decimals: number): string {
@@ -23,6 +23,14 @@ export function plain(value: number): string {
 export function valueText(value: MavlinkValue): string {
   if (Array.isArray(value)) return `[${value.map(valueText).join(', ')}]`;
   return typeof value === 'number' ? plain(value) : value;
+}
+
+/** What a DLI field means beyond its raw value: a label, or a value in the unit system; empty where there is nothing. */
+export function meaningText({ value, unit, label }: DliValue, system: UnitSystem): string {
+  if (label !== undefined) return typeof label === 'string' ? label : label.join(' | ');
+  if (value === undefined) return '';
+  const shown = shownFromWire(value, unit, system);
+  return shown ? shownText(shown) : `${plain(value)} ${unit ?? ''}`;
 }
 
 /** A duration in the unit that suits it: ns, µs, ms or s, with three digits. */

@@ -69,7 +69,9 @@ export const instruments: Record<InstrumentKey, Instrument> = {
   speed: {
     message: 'GLOBAL_POSITION_INT',
     fromMavlink: (fields) =>
-      typeof fields.vx === 'number' && typeof fields.vy === 'number' ? Math.hypot(fields.vx, fields.vy) / 100 : undefined,
+      typeof fields.vx === 'number' && typeof fields.vy === 'number'
+        ? Math.hypot(fields.vx, fields.vy) / 100
+        : undefined,
     number: 4000,
     fromDli: ({ u_speed, v_speed }) =>
       u_speed?.value === undefined || v_speed?.value === undefined
@@ -96,7 +98,7 @@ export const instruments: Record<InstrumentKey, Instrument> = {
   },
 };
 
-/** What both sides say, and whether that agrees; undefined: a side has not said anything yet. */
+/** What both sides say, and whether that agrees; undefined: a side has not said anything yet, or no longer does. */
 export interface Reading {
   mavlink: number | undefined;
   dli: number | undefined;
@@ -105,6 +107,8 @@ export interface Reading {
 
 /** MAVLink samples are younger or older than the DLI message by up to this. */
 const window_us = 2_000_000;
+/** A DLI value is told again every five seconds at the latest; an older one is of the past. */
+const dliLifetime_us = 6_000_000;
 /** A single comparison may meet samples that were coalesced; a wrong mapping fails every one. */
 const failuresUntilDifferent = 3;
 
@@ -115,7 +119,7 @@ const failuresUntilDifferent = 3;
 export class Comparison {
   private samples: { time_us: number; value: number }[] = [];
   private failures = 0;
-  private dli: number | undefined;
+  private dli: { time_us: number; value: number } | undefined;
 
   constructor(private readonly instrument: Instrument) {}
 
@@ -132,19 +136,26 @@ export class Comparison {
     if (message.number !== this.instrument.number) return;
     const value = this.instrument.fromDli({ ...message.held, ...message.fields });
     if (value === undefined) return;
-    this.dli = value;
+    this.dli = { time_us: message.time_ms * 1000, value };
     if (this.samples.length > 0) this.failures = this.isWithinSamples(value) ? 0 : this.failures + 1;
   }
 
   reading(): Reading {
-    const mavlink = this.samples.at(-1)?.value;
-    const isComparable = mavlink !== undefined && this.dli !== undefined;
-    return { mavlink, dli: this.dli, agrees: isComparable ? this.failures < failuresUntilDifferent : undefined };
+    const newest = this.samples.at(-1);
+    const isComparable =
+      newest !== undefined && this.dli !== undefined && newest.time_us - this.dli.time_us <= dliLifetime_us;
+    return {
+      mavlink: newest?.value,
+      dli: this.dli?.value,
+      agrees: isComparable ? this.failures < failuresUntilDifferent : undefined,
+    };
   }
 
   private isWithinSamples(value: number): boolean {
     const differences = this.samples.map((sample) => this.difference(sample.value, value));
-    return Math.min(...differences) <= this.instrument.tolerance && Math.max(...differences) >= -this.instrument.tolerance;
+    return (
+      Math.min(...differences) <= this.instrument.tolerance && Math.max(...differences) >= -this.instrument.tolerance
+    );
   }
 
   private difference(a: number, b: number): number {

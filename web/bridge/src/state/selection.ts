@@ -1,12 +1,19 @@
 import { computed, signal } from '@preact/signals';
+import type { MavlinkMessage } from '../contract';
 import { catalogue } from './store';
 
 /** The field that is pointed at. */
 export type Selection =
-  | { side: 'mavlink'; message: string; field: string }
-  | { side: 'dli'; number: number; field: string };
+  { side: 'mavlink'; message: string; field: string } | { side: 'dli'; number: number; field: string };
 
 export const selection = signal<Selection | undefined>();
+
+/** Points at the first field of a message that is translated, so that a rule is seen before anybody has pointed. */
+export function selectFirstMapped(message: MavlinkMessage | undefined): void {
+  const fields = message && catalogue.value?.mavlink(message.id)?.fields;
+  const first = fields?.find(({ name }) => catalogue.value!.targetsOf(message!.name, name).length > 0);
+  selection.value = first && { side: 'mavlink', message: message!.name, field: first.name };
+}
 
 /** The MAVLink fields `NAME.field` and the DLI fields `number.key` that belong to the selection, itself included. */
 export const marked = computed(() => {

@@ -79,7 +79,13 @@ function onHello(message: Hello): void {
   void loadCatalogue();
 }
 
-function onCrossings(added: Crossing[]): void {
+// Some of another vehicle's may be under way still when the watched one changes.
+function isOfWatched({ mavlink }: Crossing): boolean {
+  return mavlink === undefined || (mavlink.link === vehicle.value?.link && mavlink.system === vehicle.value.system);
+}
+
+function onCrossings(crossings: Crossing[]): void {
+  const added = crossings.filter(isOfWatched);
   live.crossings.add(added);
   delays.value = withDelays(delays.value, added);
   for (const { mavlink, dli } of added) {
@@ -98,16 +104,30 @@ function onTraffic(message: Traffic): void {
 
 function onMessage(message: ServerMessage): void {
   switch (message.kind) {
-    case 'hello': return onHello(message);
-    case 'status': status.value = message; return;
-    case 'timing': timing.value = message; return;
-    case 'study': study.value = message; return;
-    case 'dropped': dropped.value = message.count; return;
-    case 'events': events.value = [...events.value, ...message.events].slice(-eventsKept); return;
+    case 'hello':
+      return onHello(message);
+    case 'status':
+      status.value = message;
+      return;
+    case 'timing':
+      timing.value = message;
+      return;
+    case 'study':
+      study.value = message;
+      return;
+    case 'dropped':
+      dropped.value = message.count;
+      return;
+    case 'events':
+      events.value = [...events.value, ...message.events].slice(-eventsKept);
+      return;
     // What was under way when the page was paused must not move it.
-    case 'crossings': return paused.value ? undefined : onCrossings(message.crossings);
-    case 'traffic': return paused.value ? undefined : onTraffic(message);
-    case 'refusal': problem.value = message.detail;
+    case 'crossings':
+      return paused.value ? undefined : onCrossings(message.crossings);
+    case 'traffic':
+      return paused.value ? undefined : onTraffic(message);
+    case 'refusal':
+      problem.value = message.detail;
   }
 }
 
@@ -163,7 +183,9 @@ export async function start(): Promise<void> {
     if (vehicleId.value !== undefined) untracked(forgetVehicle);
   });
   const token = new URLSearchParams(location.hash.slice(1)).get('token');
-  if (token === null) return stream.open();
-  history.replaceState(null, '', location.pathname);
-  await signIn(token);
+  if (token !== null) {
+    history.replaceState(null, '', location.pathname);
+    await act(api.signIn(token));
+  }
+  stream.open();
 }

@@ -3,12 +3,35 @@ import { Flight, stepsPerSecond } from './flight.mjs';
 
 const bounds_ns = [10_000, 20_000, 50_000, 100_000, 200_000, 500_000, 1_000_000, 2_000_000, 5_000_000, 10_000_000];
 const studySamplesPerStep = 2;
+const start_us = Date.UTC(2026, 0, 1, 12) * 1000;
+
+function summaryOf(series) {
+  const sorted = [...series].sort((a, b) => a - b);
+  const mean_us = series.reduce((sum, value) => sum + value, 0) / series.length;
+  const squares = series.reduce((sum, value) => sum + (value - mean_us) ** 2, 0);
+  const [min_us, max_us] = [sorted[0], sorted.at(-1)];
+  return {
+    count: series.length,
+    mean_us,
+    median_us: sorted[Math.floor((sorted.length - 1) / 2)],
+    p95_us: sorted[Math.floor(0.95 * (sorted.length - 1))],
+    p99_us: sorted[Math.floor(0.99 * (sorted.length - 1))],
+    min_us,
+    max_us,
+    standard_deviation_us: Math.sqrt(squares / (series.length - 1)),
+    peak_to_peak_us: max_us - min_us,
+    slope_us_per_sample: 0.01,
+    intercept_us: mean_us,
+  };
+}
 
 export class Bridge {
   constructor({ vehicles, wrongRoll }) {
     const mapRoll = wrongRoll ? ({ yaw }) => yaw : undefined;
-    this.flights = Array.from({ length: vehicles }, (_, index) =>
-      new Flight({ link: 1, system: index + 1, id: `14:40:00:0${index + 1}`, mapRoll }));
+    this.flights = Array.from(
+      { length: vehicles },
+      (_, index) => new Flight({ link: 1, system: index + 1, id: `14:40:00:0${index + 1}`, mapRoll }),
+    );
     this.links = [{ number: 1, endpoint: 'udpin://127.0.0.1:14550', state: 'up' }];
     this.linksMade = 1;
     this.conversion = true;
@@ -49,13 +72,24 @@ export class Bridge {
 
   countRow(side, key, last) {
     const count = (this.rows[side].get(key)?.count ?? 0) + 1;
-    this.rows[side].set(key, { count, rate_hz: (count * stepsPerSecond) / Math.max(this.stepNumber, stepsPerSecond), last });
+    this.rows[side].set(key, {
+      count,
+      rate_hz: (count * stepsPerSecond) / Math.max(this.stepNumber, stepsPerSecond),
+      last,
+    });
     ++this.totals[side].messages;
     this.totals[side].bytes += last.hex.length / 2;
   }
 
   note(code, severity, text, vehicle) {
-    const event = { number: this.events.length + 1, time_ms: Date.UTC(2026, 0, 1, 12) + 50 * this.stepNumber, code, severity, ...(vehicle && { vehicle }), text };
+    const event = {
+      number: this.events.length + 1,
+      time_ms: start_us / 1000 + 50 * this.stepNumber,
+      code,
+      severity,
+      ...(vehicle && { vehicle }),
+      text,
+    };
     this.events.push(event);
     this.onEvent?.(event);
   }
@@ -95,31 +129,52 @@ export class Bridge {
   }
 
   studyResult() {
-    const { samples: count, limit_ms } = this.study;
-    const samples = Array.from({ length: count }, (_, sequence) => {
-      const direct_us = 40 + (sequence % 7);
-      const converted_us = 90 + ((sequence * 13) % 29);
-      return { sequence, direct_us, converted_us, delay_us: converted_us - direct_us };
+    const samples = Array.from({ length: this.study.samples }, (_, sample) => {
+      const [present_direct_us, present_converted_us] = [30 + (sample % 7), 50 + ((sample * 13) % 29)];
+      const [decoded_us, translated_us, sent_us] = [10, 25, 40];
+      const [direct_us, converted_us] = [decoded_us + present_direct_us, sent_us + present_converted_us];
+      return {
+        index: sample + 1,
+        time_us: start_us + 50_000 * sample,
+        sequence: sample % 256,
+        received_us: 50_000 * sample,
+        decoded_us,
+        translated_us,
+        sent_us,
+        present_direct_us,
+        present_converted_us,
+        direct_us,
+        converted_us,
+        delay_us: converted_us - direct_us,
+      };
     });
-    const delays = samples.map(({ delay_us }) => delay_us).sort((a, b) => a - b);
-    const mean_us = delays.reduce((sum, delay) => sum + delay, 0) / count;
+    const of = (value) => summaryOf(samples.map(value));
+    const summary = {
+      direct: of(({ direct_us }) => direct_us),
+      converted: of(({ converted_us }) => converted_us),
+      delay: of(({ delay_us }) => delay_us),
+      decode: of(({ decoded_us }) => decoded_us),
+      translate: of(({ decoded_us, translated_us }) => translated_us - decoded_us),
+      send: of(({ translated_us, sent_us }) => sent_us - translated_us),
+      present_direct: of(({ present_direct_us }) => present_direct_us),
+      present_converted: of(({ present_converted_us }) => present_converted_us),
+    };
+    const { limit_ms } = this.study;
     return {
       limit_ms,
-      pass: delays.at(-1) <= limit_ms * 1000,
+      pass: summary.delay.max_us < limit_ms * 1000,
+      summary,
+      conditions: { machine: 'mock' },
       samples,
-      summary: {
-        mean_us,
-        min_us: delays[0],
-        max_us: delays.at(-1),
-        standard_deviation_us: Math.sqrt(delays.reduce((sum, delay) => sum + (delay - mean_us) ** 2, 0) / count),
-        p95_us: delays[Math.floor(0.95 * (count - 1))],
-        slope_us_per_sample: 0.01,
-      },
     };
   }
 
   status() {
-    const totals = (side) => ({ ...this.totals[side], rate_hz: (this.totals[side].messages * stepsPerSecond) / Math.max(this.stepNumber, 1), rejected: side === 'mavlink' ? 3 : 0 });
+    const totals = (side) => ({
+      ...this.totals[side],
+      rate_hz: (this.totals[side].messages * stepsPerSecond) / Math.max(this.stepNumber, 1),
+      rejected: side === 'mavlink' ? 3 : 0,
+    });
     return {
       kind: 'status',
       edition: '3',
@@ -128,7 +183,14 @@ export class Bridge {
       budget_ms: 500,
       vehicle_links: this.links,
       dli_links: ['udpmulticast://239.255.45.86:45860'],
-      vehicles: this.flights.map(({ id, link, system }) => ({ id, link, system, autopilot: 3, type: 2, present: true })),
+      vehicles: this.flights.map(({ id, link, system }) => ({
+        id,
+        link,
+        system,
+        autopilot: 3,
+        type: 2,
+        present: true,
+      })),
       mavlink: totals('mavlink'),
       dli: totals('dli'),
     };
@@ -139,7 +201,15 @@ export class Bridge {
       kind: 'traffic',
       mavlink: [...this.rows.mavlink.values()],
       dli: [...this.rows.dli.values()],
-      senders: this.flights.map(({ link, system }) => ({ link, system, component: 1, received: this.stepNumber, lost: 2, late: 1, duplicates: 0 })),
+      senders: this.flights.map(({ link, system }) => ({
+        link,
+        system,
+        component: 1,
+        received: this.stepNumber,
+        lost: 2,
+        late: 1,
+        duplicates: 0,
+      })),
       rejects: [{ side: 'mavlink', link: 1, reason: 'bad checksum', count: 3, bytes: 84 }],
     };
   }
@@ -150,7 +220,14 @@ export class Bridge {
       const share = (part) => sorted[Math.floor(part * (sorted.length - 1))] ?? 0;
       const buckets = Array(bounds_ns.length + 1).fill(0);
       for (const value of sorted) ++buckets[bounds_ns.filter((bound) => bound < value).length];
-      return { count: sorted.length, p50_ns: share(0.5), p95_ns: share(0.95), p99_ns: share(0.99), max_ns: share(1), buckets };
+      return {
+        count: sorted.length,
+        p50_ns: share(0.5),
+        p95_ns: share(0.95),
+        p99_ns: share(0.99),
+        max_ns: share(1),
+        buckets,
+      };
     };
     return {
       kind: 'timing',

@@ -27,7 +27,9 @@ function checksum(bytes, extra) {
 /** A MAVLink 2 frame in hexadecimal. */
 export function mavlinkHex({ id, system, component, sequence, fields }) {
   const info = catalogue.mavlink.messages.find((message) => message.id === id);
-  const size = Math.max(...info.fields.map(({ type, array_length = 1, offset }) => offset + setters[type][1] * array_length));
+  const size = Math.max(
+    ...info.fields.map(({ type, array_length = 1, offset }) => offset + setters[type][1] * array_length),
+  );
   const payload = new DataView(new ArrayBuffer(size));
   for (const { name, type, array_length, offset } of info.fields) {
     const [set, width] = setters[type];
@@ -56,12 +58,26 @@ export function dliMessage({ number, time_ms, source, raws, held = {}, labels = 
   for (const { key, number: bit, type, width } of info.fields) {
     if (raws[key] === undefined) continue;
     vector |= 1n << BigInt(bit - 1);
-    data.push(...(type === 'text' ? Buffer.alloc(width, raws[key], 'ascii').fill(0, raws[key].length) : bigEndian(raws[key], width)));
+    data.push(
+      ...(type === 'text'
+        ? Buffer.alloc(width, raws[key], 'ascii').fill(0, raws[key].length)
+        : bigEndian(raws[key], width)),
+    );
   }
   const body = [...bigEndian(vector, info.presence_bytes), ...data];
   const destination = 'FF:FF:FF:FF';
   const id = (text) => text.split(':').map((part) => parseInt(part, 16));
-  const bytes = [0xff, 0xff, ...bigEndian(body.length, 2), ...id(source), ...id(destination), ...bigEndian(number, 2), 0x1e, 0x80, ...body];
+  const bytes = [
+    0xff,
+    0xff,
+    ...bigEndian(body.length, 2),
+    ...id(source),
+    ...id(destination),
+    ...bigEndian(number, 2),
+    0x1e,
+    0x80,
+    ...body,
+  ];
   const sum = bytes.reduce((total, byte) => total + byte, 0);
   const fieldsOf = (values) =>
     Object.fromEntries(
@@ -87,6 +103,8 @@ export function dliMessage({ number, time_ms, source, raws, held = {}, labels = 
 
 /** The raw value of a physical value in a field's scale. */
 export function rawOf(number, key, value) {
-  const { scale } = catalogue.dli.messages.find((message) => message.number === number).fields.find((field) => field.key === key);
+  const { scale } = catalogue.dli.messages
+    .find((message) => message.number === number)
+    .fields.find((field) => field.key === key);
   return Math.round(value / scale);
 }

@@ -8,7 +8,12 @@ import { catalogue } from './catalogue.mjs';
 import { stepsPerSecond } from './flight.mjs';
 import { check } from './validate.mjs';
 
-const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+};
 const securityHeaders = {
   'X-Content-Type-Options': 'nosniff',
   'Referrer-Policy': 'no-referrer',
@@ -45,10 +50,15 @@ export function startServer({ port, web, vehicles = 2, wrongRoll = false, tokens
     if (request.url === '/api/v1/session') return;
     const role = roleOf(request);
     if (role === undefined) throw new Problem(401, 'no_session', 'exchange a token for a session first');
-    if (role === 'watch' && request.method !== 'GET') throw new Problem(403, 'watch_only', 'this needs a command token');
+    if (role === 'watch' && request.method !== 'GET')
+      throw new Problem(403, 'watch_only', 'this needs a command token');
   };
 
-  const json = (status, value, headers) => ({ status, body: JSON.stringify(value), headers: { 'Content-Type': 'application/json', ...headers } });
+  const json = (status, value, headers) => ({
+    status,
+    body: JSON.stringify(value),
+    headers: { 'Content-Type': 'application/json', ...headers },
+  });
   const routes = {
     'POST session': ({ token }) => {
       const role = tokens[token];
@@ -64,7 +74,11 @@ export function startServer({ port, web, vehicles = 2, wrongRoll = false, tokens
       check.catalogue(catalogue);
       return json(200, catalogue, { ETag: '"mock"' });
     },
-    'GET ports': () => json(200, [{ device: '/dev/ttyACM0', by_id: '/dev/serial/by-id/usb-Mock', autopilot: true }, { device: '/dev/ttyS0', by_id: '', autopilot: false }]),
+    'GET ports': () =>
+      json(200, [
+        { device: '/dev/ttyACM0', by_id: '/dev/serial/by-id/usb-Mock', autopilot: true },
+        { device: '/dev/ttyS0', by_id: '', autopilot: false },
+      ]),
     'POST vehicle-links': ({ endpoint }) => {
       if (!/^(serial|udpin|udpout|tcpin|tcpout|udpmulticast|file):\/\/.+/.test(endpoint))
         throw new Problem(400, 'bad_endpoint', `'${endpoint}': expected a scheme such as serial:// or udpin://`);
@@ -89,7 +103,14 @@ export function startServer({ port, web, vehicles = 2, wrongRoll = false, tokens
       check.studyResult(result);
       const format = searchParams.get('format') ?? 'json';
       if (format === 'json') return json(200, result);
-      return { status: 200, body: `study as ${format}\n`, headers: { 'Content-Type': `text/${format}`, 'Content-Disposition': `attachment; filename=ponte-latency.${format}` } };
+      return {
+        status: 200,
+        body: `study as ${format}\n`,
+        headers: {
+          'Content-Type': `text/${format}`,
+          'Content-Disposition': `attachment; filename=ponte-latency.${format}`,
+        },
+      };
     },
   };
 
@@ -105,7 +126,8 @@ export function startServer({ port, web, vehicles = 2, wrongRoll = false, tokens
       throw new Problem(404, 'not_found', `there is no link ${link[1]}`);
     }
     const route = routes[`${request.method} ${path}`];
-    if (route === undefined) throw new Problem(404, 'not_found', `${request.method} ${url.pathname} is not of this server`);
+    if (route === undefined)
+      throw new Problem(404, 'not_found', `${request.method} ${url.pathname} is not of this server`);
     const chunks = [];
     for await (const chunk of request) chunks.push(chunk);
     const text = Buffer.concat(chunks).toString();
@@ -115,7 +137,11 @@ export function startServer({ port, web, vehicles = 2, wrongRoll = false, tokens
   async function file(path) {
     const name = normalize(path === '/' ? '/index.html' : path);
     try {
-      return { status: 200, body: await readFile(join(web, name)), headers: { 'Content-Type': types[extname(name)] ?? 'application/octet-stream' } };
+      return {
+        status: 200,
+        body: await readFile(join(web, name)),
+        headers: { 'Content-Type': types[extname(name)] ?? 'application/octet-stream' },
+      };
     } catch {
       throw new Problem(404, 'not_found', `there is no ${name}`);
     }
@@ -139,7 +165,9 @@ export function startServer({ port, web, vehicles = 2, wrongRoll = false, tokens
       examine(request);
     } catch (error) {
       const { status, body } = problemOf(error);
-      return socket.end(`HTTP/1.1 ${status} Refused\r\nContent-Length: ${body.length}\r\nConnection: close\r\n\r\n${body}`);
+      return socket.end(
+        `HTTP/1.1 ${status} Refused\r\nContent-Length: ${body.length}\r\nConnection: close\r\n\r\n${body}`,
+      );
     }
     sockets.handleUpgrade(request, socket, head, (webSocket) => welcome(webSocket, request));
   });

@@ -6,7 +6,7 @@ import { parse } from 'yaml';
 const folder = new URL('../../../contract/', import.meta.url);
 const read = (name) => readFileSync(new URL(name, folder), 'utf8');
 
-const ajv = new Ajv({ allErrors: true, strict: true, allowUnionTypes: true });
+const ajv = new Ajv({ allErrors: true, strict: true, strictRequired: false, allowUnionTypes: true });
 ajv.addVocabulary(['components']);
 ajv.addSchema(JSON.parse(read('messages.schema.json')), 'messages.schema.json');
 const { schemas } = parse(read('openapi.yaml')).components;

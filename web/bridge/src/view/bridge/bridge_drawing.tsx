@@ -39,7 +39,10 @@ export function BridgeDrawing({ isOpen }: { isOpen: boolean }) {
         <path class="tower" d="M120 10V104M480 10V104" />
         <path class="road left" d="M0 80H300" />
         <path class="road right" d="M300 80H600" />
-        <path class="water" d="M0 104Q25 98 50 104T100 104T150 104T200 104T250 104T300 104T350 104T400 104T450 104T500 104T550 104T600 104" />
+        <path
+          class="water"
+          d="M0 104Q25 98 50 104T100 104T150 104T200 104T250 104T300 104T350 104T400 104T450 104T500 104T550 104T600 104"
+        />
       </svg>
       {!isOpen &&
         travellers.value.map(({ number, from, to }) => (

@@ -1,6 +1,8 @@
 import { useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
 import type { Flow } from '../../model/crossings';
 import { shownFlow } from '../../state/actions';
+import { selectFirstMapped } from '../../state/selection';
 import { catalogue, live, paused, reading, status } from '../../state/store';
 import { t, type TextKey } from '../../text';
 import { Panel } from '../shared/panel';
@@ -31,6 +33,7 @@ export function BridgeView() {
 function Sides() {
   void reading.value;
   const flow = shownFlow();
+  useEffect(() => selectFirstMapped(flow?.crossing.mavlink), [flow?.key, catalogue.value]);
   if (flow === undefined) return null;
   const { mavlink } = flow.crossing;
   return (

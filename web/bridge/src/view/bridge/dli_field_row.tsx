@@ -1,8 +1,7 @@
 import type { DliFieldInfo, DliMessage, DliValue } from '../../contract';
 import { degreesOfBinaryAngle, twosComplementHex } from '../../model/binary_angle';
 import { hexOf, type Range } from '../../model/bytes';
-import { fixed, plain, shownText } from '../../model/format';
-import { shownFromWire } from '../../model/units';
+import { fixed, meaningText } from '../../model/format';
 import { settings } from '../../state/settings';
 import { t } from '../../text';
 import { FieldButton } from './field_button';
@@ -29,15 +28,13 @@ export function DliFieldRow(props: {
         >
           {field.name}
         </FieldButton>
-        <span class="muted bit">
+        <span class="muted aside">
           {t('pane.presence.bit')} {field.number - 1}
         </span>
       </th>
-      <td class="code">
-        {range ? hexOf(props.bytes, range) : <i>{t(value ? 'pane.unchanged' : 'pane.absent')}</i>}
-      </td>
+      <td class="code">{range ? hexOf(props.bytes, range) : <i>{t(value ? 'pane.unchanged' : 'pane.absent')}</i>}</td>
       <td class="number">{value && <Raw field={field} value={value} />}</td>
-      <td class="number">{value && valueText(value)}</td>
+      <td class="number">{value && meaningText(value, settings.units.value)}</td>
     </tr>
   );
 }
@@ -52,11 +49,4 @@ function Raw({ field, value }: { field: DliFieldInfo; value: DliValue }) {
       </span>
     </>
   );
-}
-
-function valueText(value: DliValue): string {
-  if (value.label !== undefined) return value.label;
-  if (value.value === undefined) return '';
-  const shown = shownFromWire(value.value, value.unit, settings.units.value);
-  return shown ? shownText(shown) : `${plain(value.value)} ${value.unit ?? ''}`;
 }

@@ -14,7 +14,12 @@ export function HeadingRose({ heading }: { heading: Reading }) {
         <line key={angle} class="mark" y1="-54" y2={angle % 90 === 0 ? -46 : -50} transform={`rotate(${angle})`} />
       ))}
       {letters.map((letter, index) => (
-        <text key={letter} class="letter" transform={`rotate(${index * 90}) translate(0 -35) rotate(${-index * 90})`} y="4">
+        <text
+          key={letter}
+          class="letter"
+          transform={`rotate(${index * 90}) translate(0 -35) rotate(${-index * 90})`}
+          y="4"
+        >
           {letter}
         </text>
       ))}

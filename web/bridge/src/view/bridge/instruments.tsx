@@ -34,7 +34,12 @@ function Dials() {
       <AttitudeIndicator roll={roll} pitch={pitch} />
       <HeadingRose heading={heading} />
       <Tape label={t('instruments.speed')} reading={speed} scale={velocity} step={system === 'si' ? 5 : 10} />
-      <Tape label={t('instruments.altitude')} reading={altitude} scale={length} step={system === 'aviation' ? 100 : 20} />
+      <Tape
+        label={t('instruments.altitude')}
+        reading={altitude}
+        scale={length}
+        step={system === 'aviation' ? 100 : 20}
+      />
       <Tape label={t('instruments.battery')} reading={battery} scale={percent} step={20} />
     </>
   );

@@ -87,11 +87,10 @@ function FieldRow(props: {
         >
           {field.name}
         </FieldButton>
+        {field.unit && <span class="muted aside">{field.unit}</span>}
       </th>
       <td class="code">{range.end > range.start ? hexOf(props.bytes, range) : <i>{t('pane.notSent')}</i>}</td>
-      <td class="number">
-        {valueText(value)} <span class="muted">{field.unit}</span>
-      </td>
+      <td class="number">{valueText(value)}</td>
       <td class="number">{converted ? shownText(converted) : catalogue.value?.labelOf(field, value)}</td>
     </tr>
   );

@@ -17,7 +17,15 @@ export function RulePane() {
   const chosen = selection.value;
   if (chosen === undefined) return <p>{t('rule.hint')}</p>;
   const chains = chainsOf(chosen);
-  if (chains.length > 0) return <>{chains.map((chain, index) => <ChainView key={index} chain={chain} />)}</>;
+  if (chains.length > 0)
+    return (
+      <>
+        {chains.map((chain, index) => (
+          <ChainView key={index} chain={chain} />
+        ))}
+        <p class="muted">{t('rule.hint')}</p>
+      </>
+    );
   const isOwn = chosen.side === 'dli' && chosen.field === 'time_stamp';
   return <p>{t(isOwn ? 'rule.constant' : 'rule.none')}</p>;
 }

@@ -4,7 +4,12 @@ const height = 120;
 const stepsVisible = 5;
 
 /** A vertical scale that slides past the MAVLink value; a hollow pointer shows where the DLI value stands on it. */
-export function Tape(props: { label: string; reading: Reading; scale: (si: number) => { value: number; unit: string }; step: number }) {
+export function Tape(props: {
+  label: string;
+  reading: Reading;
+  scale: (si: number) => { value: number; unit: string };
+  step: number;
+}) {
   const { reading, scale, step } = props;
   const value = reading.mavlink === undefined ? undefined : scale(reading.mavlink).value;
   const overlay = reading.dli === undefined ? undefined : scale(reading.dli).value;
@@ -26,7 +31,9 @@ export function Tape(props: { label: string; reading: Reading; scale: (si: numbe
           </g>
         ))}
         {value !== undefined && <path class="needle" d="M34 -7L16 0L34 7Z" />}
-        {overlay !== undefined && <path class="overlay" d={`M34 ${y(overlay) - 11}L8 ${y(overlay)}L34 ${y(overlay) + 11}Z`} />}
+        {overlay !== undefined && (
+          <path class="overlay" d={`M34 ${y(overlay) - 11}L8 ${y(overlay)}L34 ${y(overlay) + 11}Z`} />
+        )}
       </svg>
       <figcaption>
         {props.label} ({scale(0).unit})

@@ -1,9 +1,8 @@
 import type { DliMessage, DliRow } from '../../contract';
 import { bytesOf } from '../../model/bytes';
 import { dliLayout } from '../../model/dli_layout';
-import { plain, shownText } from '../../model/format';
+import { meaningText } from '../../model/format';
 import { dliKey } from '../../model/traffic';
-import { shownFromWire } from '../../model/units';
 import { settings } from '../../state/settings';
 import { catalogue } from '../../state/store';
 import { t } from '../../text';
@@ -41,9 +40,9 @@ function Details({ message }: { message: DliMessage }) {
         marks={[]}
       />
       <dl class="values">
-        {Object.entries(values).map(([key, { raw, value, unit, label }]) => {
-          const shown = value === undefined ? undefined : shownFromWire(value, unit, settings.units.value);
-          const meaning = shown ? shownText(shown) : (label ?? (value !== undefined && `${plain(value)} ${unit ?? ''}`));
+        {Object.entries(values).map(([key, value]) => {
+          const { raw } = value;
+          const meaning = meaningText(value, settings.units.value);
           return (
             <div key={key}>
               <dt>{key}</dt>

@@ -19,7 +19,7 @@ export function Losses({ senders }: { senders: Sender[] }) {
           {senders.map(({ link, system, component, received, lost, late, duplicates }) => (
             <tr key={`${link}.${system}.${component}`}>
               <th scope="row" class="code">
-                {link} / {system} / {component}
+                {link}/{system}/{component}
               </th>
               <td class="number">{received}</td>
               <td class="number">

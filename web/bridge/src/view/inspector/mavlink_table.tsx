@@ -18,7 +18,7 @@ export function MavlinkTable({ rows }: { rows: MavlinkRow[] }) {
       lines={rows.map(({ count, rate_hz, last }) => ({
         key: mavlinkKey(last),
         title: `${last.name}${last.instance ? ` ${last.instance.field}=${last.instance.value}` : ''}`,
-        from: `${last.link} / ${last.system} / ${last.component}`,
+        from: `${last.link}/${last.system}/${last.component}`,
         count,
         rate_hz,
         time_ms: last.time_us / 1000,
@@ -43,7 +43,8 @@ function Details({ message }: { message: MavlinkMessage }) {
         <dl class="values">
           {Object.entries(message.fields).map(([name, value]) => {
             const info = catalogue.value?.mavlink(message.id)?.fields.find((field) => field.name === name);
-            const shown = typeof value === 'number' ? shownFromWire(value, info?.unit, settings.units.value) : undefined;
+            const shown =
+              typeof value === 'number' ? shownFromWire(value, info?.unit, settings.units.value) : undefined;
             const meaning = shown ? shownText(shown) : info && catalogue.value?.labelOf(info, value);
             return (
               <div key={name}>
@@ -71,7 +72,11 @@ function FieldPlots({ message, field }: { message: MavlinkMessage; field: string
     return (
       <span class="elements">
         {value.map((_, element) => (
-          <PlotToggle key={element} source={{ side: 'mavlink', sample: message, field, element }} text={`[${element}]`} />
+          <PlotToggle
+            key={element}
+            source={{ side: 'mavlink', sample: message, field, element }}
+            text={`[${element}]`}
+          />
         ))}
       </span>
     );

@@ -77,7 +77,12 @@ function Row(props: { line: Line; isFirst: boolean; isOpen: boolean; onToggle: (
       </tr>
       {isOpen && (
         <tr class="details">
-          <td colSpan={5}>{line.details()}</td>
+          <td colSpan={5}>
+            <p class="muted narrow-only">
+              {t('inspector.time')} <span class="number">{timeText(line.time_ms)}</span>
+            </p>
+            {line.details()}
+          </td>
         </tr>
       )}
     </>

@@ -15,7 +15,9 @@ export function LinksView() {
     <>
       <Panel title={t('links.vehicles')}>
         <ul class="links">
-          {now?.vehicle_links.map((link) => <LinkItem key={link.number} link={link} />)}
+          {now?.vehicle_links.map((link) => (
+            <LinkItem key={link.number} link={link} />
+          ))}
           {now?.vehicle_links.length === 0 && <li class="muted">{t('links.none')}</li>}
         </ul>
         <ConnectForm />

@@ -61,6 +61,7 @@ function options(props: ChartProps, element: HTMLElement): uPlot.Options {
     return resolved;
   };
   const axis = { stroke: colour('ink'), grid: { stroke: colour('line'), width: 1 }, ticks: { stroke: colour('line') } };
+  const decades = props.logarithmic ? { filter: decadesOf } : {};
   return {
     width: element.clientWidth,
     height,
@@ -68,7 +69,13 @@ function options(props: ChartProps, element: HTMLElement): uPlot.Options {
     scales: { x: { time: props.time }, y: props.logarithmic ? { distr: 3 } : {} },
     axes: [
       { ...axis, space: 90, values: (_, values) => values.map((value) => xText(props, value)) },
-      { ...axis, size: 64, values: (_, values) => values.map((value) => (value === null ? '' : props.valueText(value))) },
+      {
+        ...axis,
+        grid: { ...axis.grid, ...decades },
+        ticks: { ...axis.ticks, ...decades },
+        size: 64,
+        values: (_, values) => values.map((value) => (value === null ? '' : props.valueText(value))),
+      },
     ],
     series: [
       { label: props.time ? 'UTC' : '#', value: (_, value) => (value == null ? '–' : xText(props, value)) },
@@ -82,6 +89,11 @@ function options(props: ChartProps, element: HTMLElement): uPlot.Options {
       })),
     ],
   };
+}
+
+// Lines at the powers of ten only.
+function decadesOf(_: uPlot, splits: number[]): (number | null)[] {
+  return splits.map((value) => (Number.isInteger(Math.log10(value)) ? value : null));
 }
 
 function xText({ time }: ChartProps, value: number): string {

@@ -9,10 +9,7 @@ export function Choice<T extends string>(props: {
   return (
     <label class="choice">
       <span>{props.label}</span>
-      <select
-        value={props.setting.value}
-        onChange={(event) => (props.setting.value = event.currentTarget.value as T)}
-      >
+      <select value={props.setting.value} onChange={(event) => (props.setting.value = event.currentTarget.value as T)}>
         {props.options.map(([value, text]) => (
           <option key={value} value={value}>
             {text}

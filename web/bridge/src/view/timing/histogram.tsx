@@ -1,21 +1,30 @@
-import type { Timing } from '../../contract';
+import { signal } from '@preact/signals';
+import { stageNames, type StageName, type Timing } from '../../contract';
 import { durationText } from '../../model/format';
 import { bars } from '../../model/histogram';
 import { status } from '../../state/store';
 import { t } from '../../text';
+import { Choice } from '../shared/choice';
 
 const barWidth = 40;
 const height = 130;
 const labelRoom = 34;
 
-/** How many messages took how long in all. */
+const stage = signal<StageName>('total');
+
+/** How many messages took how long, for one stage or in all. */
 export function Histogram({ timing }: { timing: Timing }) {
-  const all = bars(timing.bounds_ns, timing.total.buckets);
+  const all = bars(timing.bounds_ns, timing[stage.value].buckets);
   const width = Math.max(all.length, 6) * barWidth;
   const upTo = (to_ns: number) => (to_ns === Infinity ? '∞' : `≤ ${durationText(to_ns)}`);
   const summary = all.map(({ to_ns, count }) => `${upTo(to_ns)}: ${count}`).join('; ');
   return (
     <>
+      <Choice
+        label={t('timing.stage')}
+        setting={stage}
+        options={stageNames.map((name) => [name, t(`stage.${name}`)])}
+      />
       <div class="scroll">
         <svg
           class="histogram"

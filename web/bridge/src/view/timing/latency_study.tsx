@@ -69,6 +69,7 @@ function StudyForm({ isRunning }: { isRunning: boolean }) {
         <span>{t('study.samples')}</span>
         <input
           type="number"
+          required
           min={2}
           max={10000}
           value={samples.value}
@@ -80,6 +81,8 @@ function StudyForm({ isRunning }: { isRunning: boolean }) {
         <span>{t('study.limit')}</span>
         <input
           type="number"
+          required
+          step="any"
           min={1}
           max={60000}
           value={limit_ms.value}

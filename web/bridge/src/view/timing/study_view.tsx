@@ -1,19 +1,22 @@
-import type { StudyResult } from '../../contract';
+import { studySeries, type StudyResult } from '../../contract';
 import { durationText } from '../../model/format';
 import { t } from '../../text';
 import { Chart } from '../shared/chart';
 
 const microseconds = (value: number) => (value < 0 ? `−${durationText(-value * 1000)}` : durationText(value * 1000));
 
+const rows = [
+  ['study.mean', 'mean_us'],
+  ['study.median', 'median_us'],
+  ['study.p95', 'p95_us'],
+  ['study.min', 'min_us'],
+  ['timing.max', 'max_us'],
+  ['study.deviation', 'standard_deviation_us'],
+  ['study.slope', 'slope_us_per_sample'],
+] as const;
+
 /** The outcome of a latency study. */
 export function StudyView({ result: { pass, limit_ms, samples, summary } }: { result: StudyResult }) {
-  const rows = [
-    ['study.mean', summary.mean_us],
-    ['study.min', summary.min_us],
-    ['timing.max', summary.max_us],
-    ['study.deviation', summary.standard_deviation_us],
-    ['study.slope', summary.slope_us_per_sample],
-  ] as const;
   return (
     <>
       <p class={pass ? 'good' : 'bad'}>
@@ -23,18 +26,27 @@ export function StudyView({ result: { pass, limit_ms, samples, summary } }: { re
       </p>
       <div class="halves">
         <table>
-          <caption>{t('study.delay')}</caption>
+          <thead>
+            <tr>
+              <td />
+              {studySeries.map((series) => (
+                <th key={series} scope="col">
+                  {t(`study.${series}`)}
+                </th>
+              ))}
+            </tr>
+          </thead>
           <tbody>
-            {rows.map(([key, value]) => (
+            {rows.map(([key, member]) => (
               <tr key={key}>
                 <th scope="row">{t(key)}</th>
-                <td class="number">{microseconds(value)}</td>
+                {studySeries.map((series) => (
+                  <td key={series} class="number">
+                    {microseconds(summary[series][member])}
+                  </td>
+                ))}
               </tr>
             ))}
-            <tr>
-              <th scope="row">p95</th>
-              <td class="number">{microseconds(summary.p95_us)}</td>
-            </tr>
           </tbody>
         </table>
         <Chart
@@ -44,7 +56,7 @@ export function StudyView({ result: { pass, limit_ms, samples, summary } }: { re
             { label: t('study.converted'), style: 'dli', dash: [6, 3] },
           ]}
           data={[
-            samples.map((_, index) => index + 1),
+            samples.map(({ index }) => index),
             samples.map(({ direct_us }) => direct_us),
             samples.map(({ converted_us }) => converted_us),
           ]}

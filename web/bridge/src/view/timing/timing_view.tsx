@@ -40,7 +40,7 @@ function StageTable({ timing: now }: { timing: Timing }) {
       <table class="stages">
         <thead>
           <tr>
-            <th />
+            <td />
             <th scope="col">{t('timing.newest')}</th>
             <th scope="col">p50</th>
             <th scope="col">p95</th>

@@ -1,7 +1,7 @@
-import { chromium, type Browser } from 'playwright-core';
+import { chromium } from 'playwright-core';
 
 /** Debian's Chromium, without anything that would look for a network. */
-export function launchBrowser(): Promise<Browser> {
+export function launchBrowser() {
   return chromium.launch({
     executablePath: process.env.PONTE_CHROMIUM ?? '/usr/bin/chromium',
     args: [
