@@ -34,6 +34,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(OpenSSL REQUIRED)
 find_package(spdlog REQUIRED)
 find_library(PONTE_GEOGRAPHICLIB GeographicLib REQUIRED)
 # libzip's own CMake file, as Debian ships it, asks for programs of another package.

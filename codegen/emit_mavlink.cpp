@@ -52,9 +52,10 @@ std::string field_table(const Message& message) {
   std::string rows;
   for (const auto& field : message.fields)
     rows +=
-        fmt::format("      {{{}, FieldType::{}, {}, {}, {}, {}, {}, {}}},\n", literal(field.name),
+        fmt::format("      {{{}, FieldType::{}, {}, {}, {}, {}, {}, {}{}}},\n", literal(field.name),
                     field_type_name(field), field.count, field.offset, field.extension, literal(field.unit),
-                    literal(field.invalid), field.enumeration.empty() ? "nullptr" : "&enum_info::" + field.enumeration);
+                    literal(field.invalid), field.enumeration.empty() ? "nullptr" : "&enum_info::" + field.enumeration,
+                    field.instance ? ", true" : "");
   return rows;
 }
 

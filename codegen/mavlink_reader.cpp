@@ -252,6 +252,7 @@ class DialectReader {
     if (field.key.empty()) document.refuse(node, fmt::format("'{}' cannot be the name of a field", field.name));
     field.unit = node.attribute("units").value();
     field.invalid = node.attribute("invalid").value();
+    field.instance = node.attribute("instance").as_bool();
     field.enumeration = node.attribute("enum").value();
     if (std::string_view{node.attribute("display").value()} == "bitmask") field.role = "bitmap";
     field.note = one_line(node.child_value());

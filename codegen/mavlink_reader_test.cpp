@@ -80,7 +80,7 @@ TEST(MavlinkReader, ReadsEveryAttributeOfAField) {
   const auto protocol = read(
       "<enums><enum name='E'><entry name='E_A' value='1'/></enum></enums>"
       "<messages><message id='0x10' name='A'><description>two\n  lines</description>"
-      "<field type='uint16_t[7]' name='default' units='mV' invalid='UINT16_MAX' enum='E'>why"
+      "<field type='uint16_t[7]' name='default' units='mV' invalid='UINT16_MAX' enum='E' instance='true'>why"
       "</field></message></messages>");
   const auto& message = message_of(protocol, 16);
   EXPECT_EQ(message.note, "two lines");
@@ -95,6 +95,7 @@ TEST(MavlinkReader, ReadsEveryAttributeOfAField) {
   EXPECT_EQ(field.invalid, "UINT16_MAX");
   EXPECT_EQ(field.enumeration, "E");
   EXPECT_EQ(field.note, "why");
+  EXPECT_TRUE(field.instance);
 }
 
 TEST(MavlinkReader, SaysWhereAMessageStands) {

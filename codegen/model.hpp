@@ -56,6 +56,7 @@ struct Field {
 
   // MAVLink
   bool extension{};
+  bool instance{};  ///< tells several of the message apart
   std::string invalid;
   std::string initial;  ///< value a sender starts from; empty: zero
   std::size_t offset{};

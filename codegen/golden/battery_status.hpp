@@ -25,7 +25,7 @@ struct BatteryStatus {
   std::uint32_t fault_bitmask{};  ///< MAV_BATTERY_FAULT; extension
 
   static constexpr std::array<FieldInfo, 14> fields{{
-      {"id", FieldType::uint8, 0, 32, false, "", "", nullptr},
+      {"id", FieldType::uint8, 0, 32, false, "", "", nullptr, true},
       {"battery_function", FieldType::uint8, 0, 33, false, "", "", &enum_info::MAV_BATTERY_FUNCTION},
       {"type", FieldType::uint8, 0, 34, false, "", "", &enum_info::MAV_BATTERY_TYPE},
       {"temperature", FieldType::int16, 0, 8, false, "cdegC", "INT16_MAX", nullptr},

@@ -3,8 +3,8 @@
 #include "ponte/core/json_text.hpp"
 #include "ponte/dli/profile.hpp"
 #include "ponte/transport/loop.hpp"
+#include "ponte/vsm/crossing.hpp"
 #include "ponte/vsm/latency_study.hpp"
-#include "vsm/crossing.hpp"
 
 #include <functional>
 #include <vector>
@@ -22,7 +22,7 @@ class LatencyProbe {
   /// The VSM writes by that profile. `on_sample` is called on the loop's thread, never within `take`.
   LatencyProbe(transport::Loop& loop, const dli::Profile& profile, OnSample on_sample);
 
-  void take(const Crossing& crossing);
+  void take(const vsm::Crossing& crossing);
 
  private:
   /// A crossing that waits to be presented, with bytes of its own.

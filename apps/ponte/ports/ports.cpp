@@ -1,7 +1,6 @@
 #include "ports/ports.hpp"
 
 #include "common/json_line.hpp"
-#include "ponte/transport/serial_ports.hpp"
 
 #include <fmt/format.h>
 
@@ -16,8 +15,7 @@ void run(bool json) {
   JsonText line;
   for (const auto& port : ports) {
     if (json) {
-      line.begin_object().member("device", std::string_view{port.device}).member("by_id", std::string_view{port.by_id});
-      line.member("autopilot", port.is_autopilot).end_object();
+      append_port(line, port);
       print_line(line);
     } else {
       fmt::print("{:<20} {:<10} {}\n", port.device, port.is_autopilot ? "autopilot" : "", port.by_id);
@@ -26,6 +24,11 @@ void run(bool json) {
 }
 
 }  // namespace
+
+void append_port(JsonText& json, const transport::SerialPort& port) {
+  json.begin_object().member("device", std::string_view{port.device}).member("by_id", std::string_view{port.by_id});
+  json.member("autopilot", port.is_autopilot).end_object();
+}
 
 void add_ports(CLI::App& app) {
   auto json = std::make_shared<bool>();

@@ -10,6 +10,22 @@
 #include <numeric>
 
 namespace ponte::app {
+namespace {
+
+std::string_view words_for(dli::WrapperError error) {
+  using enum dli::WrapperError;
+  switch (error) {
+    case truncated: return "truncated";
+    case bad_length: return "bad length";
+    case beyond_end: return "ends behind the datagram";
+    case unassigned_checksum: return "unassigned checksum";
+    case bad_checksum: return "bad checksum";
+    case stray_bytes: return "stray bytes";
+  }
+  return "";
+}
+
+}  // namespace
 
 DliSide::DliSide(LiveVsm& owner, const transport::Endpoint& endpoint)
     : owner_{owner}, endpoint_{endpoint}, name_{transport::to_text(endpoint)} {
@@ -23,7 +39,10 @@ void DliSide::on_bytes(Timestamp now, Bytes bytes, transport::PeerId peer) { on_
 void DliSide::on_datagram(Timestamp, Bytes bytes, transport::PeerId) {
   dli::DatagramReader reader{bytes, owner_.config_.telemetry.profile, heard_};
   while (const auto message = reader.next())
-    if (*message) refuse(**message);
+    if (*message)
+      refuse(**message);
+    else
+      owner_.tell(&VsmWatcher::on_refused, words_for(message->error().reason), bytes.size());
 }
 
 void DliSide::refuse(const dli::WrapperView& message) {

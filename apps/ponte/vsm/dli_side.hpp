@@ -21,6 +21,7 @@ class DliSide final : public transport::LinkHandler {
   void on_state(Timestamp now, transport::LinkState state, std::string_view reason) override;
 
   void send(Bytes message) { link_->send(message); }
+  [[nodiscard]] const std::string& name() const { return name_; }
   void log_counters() const;
 
  private:

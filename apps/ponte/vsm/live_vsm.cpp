@@ -5,6 +5,7 @@
 #include "vsm/vehicle_side.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace ponte::app {
@@ -35,12 +36,52 @@ LiveVsm::LiveVsm(transport::Loop& loop, const vsm::BridgeConfig& config, Log log
              }} {}
 LiveVsm::~LiveVsm() = default;
 
-void LiveVsm::add_vehicle(const transport::Endpoint& endpoint) {
+vsm::VehicleLinkId LiveVsm::add_vehicle(const transport::Endpoint& endpoint) {
+  const vsm::VehicleLinkId id{last_vehicle_link_ + 1};
   if (const auto* file = std::get_if<transport::FileEndpoint>(&endpoint))
-    recordings_.push_back(std::make_unique<RecordingSide>(*this, *file));
+    recordings_.push_back(std::make_unique<RecordingSide>(*this, id, *file));
   else
-    vehicle_sides_.push_back(std::make_unique<VehicleSide>(*this, endpoint));
+    vehicle_sides_.push_back(std::make_unique<VehicleSide>(*this, id, endpoint));
+  last_vehicle_link_ = id.value;
   pump();
+  return id;
+}
+
+bool LiveVsm::remove_vehicle(vsm::VehicleLinkId id) {
+  const auto has_id = [&](const auto& side) { return side->id() == id; };
+  if (const auto found = std::ranges::find_if(vehicle_sides_, has_id); found != vehicle_sides_.end()) {
+    log_->info("{} is closed", (*found)->name());
+    auto status = (*found)->status();
+    (*found)->end_all(loop_.now());
+    pump();
+    if (std::exchange(status.is_up, false)) tell(&VsmWatcher::on_link, status);
+    vehicle_sides_.erase(found);
+    return true;
+  }
+  return std::erase_if(recordings_, has_id) > 0;
+}
+
+vsm::view::Situation LiveVsm::situation() const {
+  vsm::view::Situation situation{.converts = converts()};
+  for (const auto& side : vehicle_sides_) situation.vehicle_links.push_back(side->status());
+  for (const auto& side : recordings_) situation.vehicle_links.push_back(side->status());
+  std::ranges::sort(situation.vehicle_links, {}, &vsm::view::VehicleLink::id);
+  for (const auto& side : dli_sides_) situation.dli_links.push_back(side->name());
+  for (const auto& vehicle : bridge_.fleet().vehicles())
+    if (const auto* side = side_of(vehicle.link)) situation.vehicles.push_back(describe(vehicle, side->id()));
+  for (const auto& side : recordings_)
+    for (const auto& vehicle : side->vehicles()) situation.vehicles.push_back(describe(vehicle, side->id()));
+  return situation;
+}
+
+vsm::view::VehicleOnLink LiveVsm::describe(const autopilot::FleetSession::Vehicle& vehicle,
+                                           vsm::VehicleLinkId link) const {
+  return {.id = dli::EntityId{config_.telemetry.vsm.owning_code(), dli::EntityType::vehicle, vehicle.system.value},
+          .link = link,
+          .system = vehicle.system,
+          .autopilot = vehicle.autopilot,
+          .type = vehicle.type,
+          .is_present = !vehicle.lost};
 }
 
 void LiveVsm::add_dli(const transport::Endpoint& endpoint) {
@@ -50,9 +91,11 @@ void LiveVsm::add_dli(const transport::Endpoint& endpoint) {
 void LiveVsm::convert(bool on) {
   bridge_.convert(on);
   pump();
+  tell(&VsmWatcher::on_conversion, on);
 }
 
-void LiveVsm::begin(std::string_view link, WallTime time, Timestamp received) {
+void LiveVsm::begin(vsm::VehicleLinkId id, std::string_view link, WallTime time, Timestamp received) {
+  link_id_ = id;
   link_ = link;
   time_ = time;
   received_ = received;
@@ -66,18 +109,24 @@ void LiveVsm::on_translated(const mavlink::FrameView& frame, const mavlink::Mess
   sent_.clear();
   bridge_.messages.drain([&](const vsm::OutgoingMessage& outgoing) {
     send(outgoing);
-    if (crossing_observer_) sent_.push_back(outgoing);
+    sent_.push_back(outgoing);
   });
-  if (!crossing_observer_) return;
-  crossing_observer_({.link = link_,
-                      .time = time_,
-                      .frame = frame,
-                      .message = message,
-                      .messages = sent_,
-                      .received = received_,
-                      .decoded = decoded_,
-                      .translated = translated,
-                      .sent = loop_.now()});
+  const Crossing crossing{.link_id = link_id_,
+                          .link = link_,
+                          .time = time_,
+                          .frame = frame,
+                          .message = message,
+                          .messages = sent_,
+                          .received = received_,
+                          .decoded = decoded_,
+                          .translated = translated,
+                          .sent = loop_.now()};
+  if (crossing_observer_) crossing_observer_(crossing);
+  tell(&VsmWatcher::on_crossing, crossing);
+}
+
+void LiveVsm::on_skipped(autopilot::LinkId, Bytes run, mavlink::SkipReason reason) {
+  tell(&VsmWatcher::on_skipped, link_id_, run, reason);
 }
 
 void LiveVsm::send(const vsm::OutgoingMessage& message) {
@@ -87,12 +136,22 @@ void LiveVsm::send(const vsm::OutgoingMessage& message) {
 
 /// Carries out what the bridge wants done.
 void LiveVsm::pump() {
-  bridge_.messages.drain([&](const vsm::OutgoingMessage& message) { send(message); });
+  sent_.clear();
+  bridge_.messages.drain([&](const vsm::OutgoingMessage& message) {
+    send(message);
+    sent_.push_back(message);
+  });
+  if (!sent_.empty()) tell(&VsmWatcher::on_clock, loop_.now(), std::span<const vsm::OutgoingMessage>{sent_});
   bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) {
     for (const auto& side : vehicle_sides_)
       if (side->send(frame)) break;
   });
-  bridge_.facts.drain([&](const autopilot::FleetFact& fact) { log_fact(fact); });
+  bridge_.facts.drain([&](const autopilot::FleetFact& fact) {
+    if (const auto* side = side_of(fact.link))
+      tell_fact(side->id(), side->name_of(fact.link), fact);
+    else
+      tell_fact(vsm::VehicleLinkId{}, "a link that has ended", fact);
+  });
   if (!vehicle_sides_.empty()) timer_.set(bridge_.next_deadline());  // recordings bring their own time
 }
 
@@ -112,17 +171,17 @@ autopilot::LinkId LiveVsm::new_link_number() {
   return autopilot::LinkId{last_link_};
 }
 
-std::string LiveVsm::name_of(autopilot::LinkId link) const {
-  for (const auto& side : vehicle_sides_)
-    if (auto name = side->name_of(link); !name.empty()) return name;
-  return "a link that has ended";
+const VehicleSide* LiveVsm::side_of(autopilot::LinkId link) const {
+  const auto found = std::ranges::find_if(vehicle_sides_, [&](const auto& side) { return side->has(link); });
+  return found == vehicle_sides_.end() ? nullptr : found->get();
 }
 
-void LiveVsm::log_fact(const autopilot::FleetFact& fact) const {
+void LiveVsm::tell_fact(vsm::VehicleLinkId link, std::string_view place, const autopilot::FleetFact& fact) const {
   using Kind = autopilot::FleetFact::Kind;
   const bool is_bad = fact.kind == Kind::lost || fact.kind == Kind::duplicate_id;
   log_->log(is_bad ? spdlog::level::warn : spdlog::level::info, "{}: system {} component {} on {}",
-            words_for(fact.kind), fact.system.value, fact.component.value, name_of(fact.link));
+            words_for(fact.kind), fact.system.value, fact.component.value, place);
+  tell(&VsmWatcher::on_fact, link, fact);
 }
 
 void LiveVsm::log_counters() const {

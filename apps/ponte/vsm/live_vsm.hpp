@@ -4,13 +4,18 @@
 #include "ponte/transport/endpoint.hpp"
 #include "ponte/transport/loop.hpp"
 #include "ponte/vsm/bridge.hpp"
-#include "vsm/crossing.hpp"
+#include "ponte/vsm/crossing.hpp"
+#include "ponte/vsm/view/situation.hpp"
+#include "vsm/vsm_watcher.hpp"
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace ponte::app {
+
+using vsm::Crossing;
 
 class DliSide;
 class RecordingSide;
@@ -28,7 +33,9 @@ class LiveVsm final : private vsm::BridgeListener {
 
   /// Listens to vehicles there, or replays a recording, which is translated in its own time, every sample. Throws
   /// `Failure`.
-  void add_vehicle(const transport::Endpoint& endpoint);
+  vsm::VehicleLinkId add_vehicle(const transport::Endpoint& endpoint);
+  /// Closes that endpoint; its vehicles are lost. False when there is none of that number.
+  bool remove_vehicle(vsm::VehicleLinkId id);
   /// Sends DLI messages there. Throws `Failure`.
   void add_dli(const transport::Endpoint& endpoint);
   /// Whether DLI messages are sent. Vehicles are listened to either way.
@@ -39,6 +46,9 @@ class LiveVsm final : private vsm::BridgeListener {
   void observe(Observer observer) { observer_ = std::move(observer); }
   /// Is shown every frame, with what it became.
   void observe_crossings(CrossingObserver observer) { crossing_observer_ = std::move(observer); }
+  /// Tells everything that happens, until `unwatch` or the watcher's end, which is before ours.
+  void watch(VsmWatcher& watcher) { watchers_.push_back(&watcher); }
+  void unwatch(VsmWatcher& watcher) { std::erase(watchers_, &watcher); }
   /// Is called when there are recordings only, and all of them are at their end.
   void on_finished(std::function<void()> callback) { finished_ = std::move(callback); }
 
@@ -46,6 +56,8 @@ class LiveVsm final : private vsm::BridgeListener {
   void log_counters() const;
 
   [[nodiscard]] const vsm::Bridge& bridge() const { return bridge_; }
+  [[nodiscard]] const vsm::BridgeConfig& config() const { return config_; }
+  [[nodiscard]] vsm::view::Situation situation() const;
 
  private:
   friend class DliSide;
@@ -54,15 +66,23 @@ class LiveVsm final : private vsm::BridgeListener {
 
   void on_decoded(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
   void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
+  void on_skipped(autopilot::LinkId link, Bytes run, mavlink::SkipReason reason) override;
 
   /// What is being read from now on: where it comes from, and when.
-  void begin(std::string_view link, WallTime time, Timestamp received);
+  void begin(vsm::VehicleLinkId id, std::string_view link, WallTime time, Timestamp received);
+  template <class... Parameters, class... Arguments>
+  void tell(void (VsmWatcher::*what)(Parameters...), const Arguments&... arguments) const {
+    for (auto* watcher : watchers_) (watcher->*what)(arguments...);
+  }
   void send(const vsm::OutgoingMessage& message);
   void pump();
   void finish_if_all_have();
   [[nodiscard]] autopilot::LinkId new_link_number();
-  [[nodiscard]] std::string name_of(autopilot::LinkId link) const;
-  void log_fact(const autopilot::FleetFact& fact) const;
+  /// The endpoint that the link is on; nothing when it has ended.
+  [[nodiscard]] const VehicleSide* side_of(autopilot::LinkId link) const;
+  void tell_fact(vsm::VehicleLinkId link, std::string_view place, const autopilot::FleetFact& fact) const;
+  [[nodiscard]] vsm::view::VehicleOnLink describe(const autopilot::FleetSession::Vehicle& vehicle,
+                                                  vsm::VehicleLinkId link) const;
 
   transport::Loop& loop_;
   vsm::BridgeConfig config_;
@@ -74,8 +94,11 @@ class LiveVsm final : private vsm::BridgeListener {
   std::vector<std::unique_ptr<VehicleSide>> vehicle_sides_;
   std::vector<std::unique_ptr<RecordingSide>> recordings_;
   std::vector<std::unique_ptr<DliSide>> dli_sides_;
+  std::vector<VsmWatcher*> watchers_;
   std::uint16_t last_link_{};
+  std::uint32_t last_vehicle_link_{};
   // While bytes are read.
+  vsm::VehicleLinkId link_id_{};
   std::string_view link_;
   WallTime time_{};
   Timestamp received_{};

@@ -4,9 +4,17 @@
 #include "ponte/mavlink/autopilots/dialect.hpp"
 
 namespace ponte::app {
+namespace {
 
-RecordingSide::RecordingSide(LiveVsm& owner, const transport::FileEndpoint& endpoint)
+/// A recording is one link, and has no time in which a vehicle could fall silent.
+constexpr autopilot::LinkId only_link{1};
+constexpr Timestamp no_time{};
+
+}  // namespace
+
+RecordingSide::RecordingSide(LiveVsm& owner, vsm::VehicleLinkId id, const transport::FileEndpoint& endpoint)
     : owner_{owner},
+      id_{id},
       name_{transport::to_text(transport::Endpoint{endpoint})},
       recording_{endpoint.path},
       vsm_{owner.config_.telemetry},
@@ -22,11 +30,23 @@ void RecordingSide::on_datagram(Timestamp now, Bytes bytes, transport::PeerId) {
   PONTE_ASSERT(frame.has_value());
   ++frames_;
   const auto* message = mavlink::autopilots::dialect.find(frame->message);
-  owner_.begin(name_, replay_.record_time(), now);
+  owner_.begin(id_, name_, replay_.record_time(), now);
   owner_.on_decoded(*frame, message);
   if (message != nullptr && owner_.converts())
     vsm_.on_frame(replay_.record_time(), *frame, *message, owner_.bridge_.messages);
   owner_.on_translated(*frame, message);
+  if (message == nullptr) return;
+  Outbox<autopilot::OutgoingFrame> unanswered{1};
+  fleet_.on_frame(no_time, only_link, *frame, unanswered, facts_);
+  tell_facts();
+}
+
+void RecordingSide::tell_facts() {
+  facts_.drain([&](const autopilot::FleetFact& fact) { owner_.tell_fact(id_, name_, fact); });
+}
+
+vsm::view::VehicleLink RecordingSide::status() const {
+  return {.id = id_, .endpoint = name_, .is_up = !is_finished_, .detail = is_finished_ ? "end of file" : ""};
 }
 
 void RecordingSide::on_state(Timestamp, transport::LinkState state, std::string_view reason) {
@@ -35,6 +55,9 @@ void RecordingSide::on_state(Timestamp, transport::LinkState state, std::string_
   if (owner_.converts()) vsm_.finish(owner_.bridge_.messages);
   owner_.pump();
   is_finished_ = true;
+  fleet_.on_link_down(only_link, facts_);
+  tell_facts();
+  owner_.tell(&VsmWatcher::on_link, status());
   owner_.finish_if_all_have();
 }
 

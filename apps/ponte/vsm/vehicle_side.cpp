@@ -19,8 +19,8 @@ const vsm::Bridge::Link* find(const vsm::Bridge& bridge, autopilot::LinkId numbe
 
 }  // namespace
 
-VehicleSide::VehicleSide(LiveVsm& owner, const transport::Endpoint& endpoint)
-    : owner_{owner}, endpoint_{endpoint}, name_{transport::to_text(endpoint)} {
+VehicleSide::VehicleSide(LiveVsm& owner, vsm::VehicleLinkId id, const transport::Endpoint& endpoint)
+    : owner_{owner}, id_{id}, endpoint_{endpoint}, name_{transport::to_text(endpoint)} {
   auto opened = transport::open_link(owner.loop_, endpoint, *this);
   if (!opened) throw Failure{transport::to_text(opened.error())};
   link_ = std::move(*opened);
@@ -28,35 +28,57 @@ VehicleSide::VehicleSide(LiveVsm& owner, const transport::Endpoint& endpoint)
 
 void VehicleSide::on_bytes(Timestamp now, Bytes bytes, transport::PeerId peer) {
   const auto wall = transport::Loop::wall();
-  owner_.begin(name_, wall, now);
+  owner_.begin(id_, name_, wall, now);
   owner_.bridge_.on_bytes(now, wall, number_of(now, peer), bytes);
   owner_.pump();
 }
 
 void VehicleSide::on_datagram(Timestamp now, Bytes bytes, transport::PeerId peer) {
   const auto wall = transport::Loop::wall();
-  owner_.begin(name_, wall, now);
+  owner_.begin(id_, name_, wall, now);
   owner_.bridge_.on_datagram(now, wall, number_of(now, peer), bytes);
   owner_.pump();
 }
 
 void VehicleSide::on_peer(Timestamp now, transport::PeerId peer, transport::PeerChange change, std::string_view name) {
+  const auto was_up = status().is_up;
   if (change == transport::PeerChange::joined) {
     owner_.log_->info("{} joined {}", name, name_);
     (void)number_of(now, peer);
   } else if (const auto found = numbers_.find(peer); found != numbers_.end()) {
     owner_.log_->info("{} left {}", name, name_);
-    const auto wall = transport::Loop::wall();
-    owner_.begin(name_, wall, now);
-    if (const auto* link = find(owner_.bridge_, found->second)) ended_.add(*link);
-    owner_.bridge_.on_link_down(now, wall, found->second);
+    end(now, found->second);
+    owner_.pump();  // while it is known where the link was
     numbers_.erase(found);
   }
   owner_.pump();
+  tell_change(was_up);
+}
+
+void VehicleSide::end(Timestamp now, autopilot::LinkId link) {
+  const auto wall = transport::Loop::wall();
+  owner_.begin(id_, name_, wall, now);
+  if (const auto* ended = find(owner_.bridge_, link)) ended_.add(*ended);
+  owner_.bridge_.on_link_down(now, wall, link);
+}
+
+void VehicleSide::end_all(Timestamp now) {
+  for (const auto& [peer, number] : numbers_) end(now, number);
+}
+
+vsm::view::VehicleLink VehicleSide::status() const {
+  const bool is_up = link_->state() == transport::LinkState::up && !numbers_.empty();
+  return {.id = id_, .endpoint = name_, .is_up = is_up, .detail = is_up ? std::string{} : detail_};
+}
+
+void VehicleSide::tell_change(bool was_up) {
+  const auto now_is = status();
+  if (now_is.is_up != was_up) owner_.tell(&VsmWatcher::on_link, now_is);
 }
 
 void VehicleSide::on_state(Timestamp, transport::LinkState state, std::string_view reason) {
   log_state(*owner_.log_, endpoint_, state, reason);
+  detail_ = state == transport::LinkState::down ? reason : std::string_view{};
 }
 
 bool VehicleSide::send(const autopilot::OutgoingFrame& frame) {
@@ -66,6 +88,10 @@ bool VehicleSide::send(const autopilot::OutgoingFrame& frame) {
     return true;
   }
   return false;
+}
+
+bool VehicleSide::has(autopilot::LinkId link) const {
+  return std::ranges::any_of(numbers_, [&](const auto& entry) { return entry.second == link; });
 }
 
 std::string VehicleSide::name_of(autopilot::LinkId link) const {

@@ -1,6 +1,7 @@
 #include "vsm/vsm.hpp"
 
 #include "common/endpoint_option.hpp"
+#include "common/failure.hpp"
 #include "common/json_line.hpp"
 #include "common/log.hpp"
 #include "common/outgoing.hpp"
@@ -8,9 +9,13 @@
 #include "common/vsm_options.hpp"
 #include "ponte/transport/loop.hpp"
 #include "vsm/live_vsm.hpp"
+#include "web/bridge_server.hpp"
+#include "web/http_options.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -26,10 +31,24 @@ struct Options {
   bool listen_only{};
   double refresh_s{5};
   std::optional<int> realtime;
+  HttpOptions http;
   LogOptions log;
 };
 
+/// The bridge page, if it is wanted. Where it is goes to stderr even when the log is quiet, as a secret may be in it.
+std::unique_ptr<BridgeServer> start_server(transport::Loop& loop, LiveVsm& vsm, const Options& options,
+                                           const Log& log) {
+  auto wanted = bridge_server_options_from(options.http);
+  if (!wanted) return nullptr;
+  if (!options.vsm.profile.empty()) wanted->profile_name = std::filesystem::path{options.vsm.profile}.stem().string();
+  auto server = std::make_unique<BridgeServer>(loop, vsm, std::move(*wanted), log);
+  fmt::print(stderr, "The bridge page is at {}\n", server->url());
+  return server;
+}
+
 void run(const Options& options) {
+  if (options.vehicles.empty() && options.http.address.empty())
+    throw UsageError{"vsm: expected --vehicle ENDPOINT, or --http ADDRESS:PORT to connect from the page"};
   vsm::BridgeConfig config;
   config.telemetry = telemetry_config_from(options.vsm);
   if (options.every_sample)
@@ -39,7 +58,8 @@ void run(const Options& options) {
   config.fleet.ask_for_streams = !options.listen_only;
 
   transport::Loop loop;
-  LiveVsm vsm{loop, config, make_log(options.log)};
+  const auto log = make_log(options.log);
+  LiveVsm vsm{loop, config, log};
   for (const auto& text : options.vehicles) vsm.add_vehicle(endpoint_from("--vehicle", text));
   for (const auto& text : options.dli) vsm.add_dli(endpoint_from("--dli", text));
   JsonText json;
@@ -50,7 +70,8 @@ void run(const Options& options) {
       std::fflush(stdout);
     });
   loop.on_signal([&](int) { loop.stop(); });
-  vsm.on_finished([&] { loop.stop(); });
+  const auto server = start_server(loop, vsm, options, log);
+  if (!server) vsm.on_finished([&] { loop.stop(); });
   if (options.realtime) enter_realtime(*options.realtime);
   loop.run();
   vsm.log_counters();
@@ -63,8 +84,7 @@ void add_vsm(CLI::App& app) {
   auto* command = app.add_subcommand("vsm", "Make MAVLink vehicles STANAG 4586 vehicles (telemetry; monitor only)");
   command
       ->add_option("--vehicle", options->vehicles,
-                   "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording")
-      ->required();
+                   "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording");
   command->add_option("--dli", options->dli, "Where ground stations are, e.g. udpmulticast://239.255.45.86:45860");
   add_vsm_options(*command, options->vsm);
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
@@ -74,6 +94,7 @@ void add_vsm(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--listen-only", options->listen_only, "Do not ask vehicles for their streams");
   add_realtime_option(*command, options->realtime);
+  add_http_options(*command, options->http);
   add_log_options(*command, options->log);
   command->footer("Example:\n  ponte vsm --vehicle udpin://0.0.0.0:14550 --dli udpmulticast://239.255.45.86:45860");
   command->callback([options] { run(*options); });

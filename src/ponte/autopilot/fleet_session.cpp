@@ -122,6 +122,8 @@ bool FleetSession::on_heartbeat(Timestamp now, LinkId link, const mavlink::Frame
     return true;
   }
   vehicle->stack = stack_of(heartbeat.autopilot, heartbeat.type);
+  vehicle->type = heartbeat.type;
+  vehicle->autopilot = heartbeat.autopilot;
   vehicle->last_heartbeat = now;
   ask(now, *vehicle, out);
   return true;

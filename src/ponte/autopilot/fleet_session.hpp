@@ -79,6 +79,8 @@ class FleetSession {
     mavlink::ComponentId component{};
     LinkId link{};
     Stack stack{};
+    std::uint8_t type{};       ///< MAV_TYPE
+    std::uint8_t autopilot{};  ///< MAV_AUTOPILOT
     bool lost{};
     bool duplicate_told{};
     Timestamp last_heartbeat{};

@@ -123,6 +123,12 @@ JsonText& JsonText::value(std::uint64_t number) {
   return *this;
 }
 
+JsonText& JsonText::written(std::string_view json) {
+  separate();
+  text_ += json;
+  return *this;
+}
+
 void JsonText::clear() {
   text_.clear();
   needs_comma_ = false;

@@ -26,6 +26,7 @@ class JsonText {
   JsonText& value(std::uint64_t number);
   JsonText& value(int number) { return value(std::int64_t{number}); }
   JsonText& value(unsigned number) { return value(std::uint64_t{number}); }
+  JsonText& written(std::string_view json);  ///< a value that is JSON text already
 
   template <class T>
   JsonText& member(std::string_view name, T number) {

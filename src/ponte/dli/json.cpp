@@ -46,6 +46,8 @@ void append_value(JsonText& json, const FieldInfo& field, double raw, double sca
   if ((scale != 0 || field.type == FieldType::float32) && !field.unit.empty()) json.member("unit", field.unit);
 }
 
+}  // namespace
+
 void append_field(JsonText& json, const FieldInfo& field, Bytes bytes, double scale) {
   json.key(field.key).begin_object();
   if (is_integer(field.type)) {
@@ -63,7 +65,13 @@ void append_field(JsonText& json, const FieldInfo& field, Bytes bytes, double sc
   json.end_object();
 }
 
-}  // namespace
+void append_header(JsonText& json, const WrapperView& message, const MessageInfo* info, const Profile& profile,
+                   std::int64_t time_ms) {
+  json.member("time_ms", time_ms).member("number", unsigned{message.number.value});
+  json.member("name", info == nullptr ? std::string_view{"unknown"} : info->name_in(profile.edition));
+  json.member("edition", name_of(profile.edition));
+  json.member("source", to_text(message.source).view()).member("destination", to_text(message.destination).view());
+}
 
 Result<DecodeFacts, DecodeError> append_json(JsonText& json, const WrapperView& message, const Catalogue& catalogue,
                                              const Profile& profile, std::int64_t time_ms) {
@@ -76,10 +84,8 @@ Result<DecodeFacts, DecodeError> append_json(JsonText& json, const WrapperView& 
     facts = *checked;
   }
 
-  json.begin_object().member("time_ms", time_ms).member("number", unsigned{message.number.value});
-  json.member("name", info == nullptr ? std::string_view{"unknown"} : info->name_in(profile.edition));
-  json.member("edition", name_of(profile.edition));
-  json.member("source", to_text(message.source).view()).member("destination", to_text(message.destination).view());
+  json.begin_object();
+  append_header(json, message, info, profile, time_ms);
   if (has_fields) {
     json.key("fields").begin_object();
     const auto append = [&](const FieldInfo& field, Bytes bytes) {

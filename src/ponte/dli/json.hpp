@@ -25,4 +25,13 @@ namespace ponte::dli {
                                                            const Catalogue& catalogue, const Profile& profile,
                                                            std::int64_t time_ms);
 
+/// Appends the members of `append_json` that stand before the fields, to an object that has begun. `info` is nothing
+/// for a message that is not in the catalogue.
+void append_header(JsonText& json, const WrapperView& message, const MessageInfo* info, const Profile& profile,
+                   std::int64_t time_ms);
+
+/// Appends one field as a member of an object that has begun: its key, and `raw`, `value`, `unit` and `label` as in
+/// `append_json`. `bytes` is what a message has of it, `scale` that of the profile.
+void append_field(JsonText& json, const FieldInfo& field, Bytes bytes, double scale);
+
 }  // namespace ponte::dli

@@ -27,8 +27,7 @@ void append_value(JsonText& json, const FieldInfo& field, Bytes payload) {
 
 }  // namespace
 
-void append_frame(JsonText& json, WallTime time, const FrameView& frame, const MessageInfo* message) {
-  json.begin_object();
+void append_header(JsonText& json, WallTime time, const FrameView& frame, const MessageInfo* message) {
   json.member("time_us", std::int64_t{unix_us(time)}).member("id", frame.message.value);
   json.key("name");
   if (message != nullptr)
@@ -38,6 +37,11 @@ void append_frame(JsonText& json, WallTime time, const FrameView& frame, const M
   json.member("version", static_cast<int>(frame.version));
   json.member("system", int{frame.system.value}).member("component", int{frame.component.value});
   json.member("sequence", int{frame.sequence});
+}
+
+void append_frame(JsonText& json, WallTime time, const FrameView& frame, const MessageInfo* message) {
+  json.begin_object();
+  append_header(json, time, frame, message);
   if (message != nullptr) {
     json.key("fields");
     append_fields(json, *message, readable_payload(frame, *message));

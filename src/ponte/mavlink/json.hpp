@@ -14,6 +14,9 @@ namespace ponte::mavlink {
 /// follows as it was sent, in hex, instead of the fields.
 void append_frame(JsonText& json, WallTime time, const FrameView& frame, const MessageInfo* message);
 
+/// Appends the members of `append_frame` that stand before the fields, to an object that has begun.
+void append_header(JsonText& json, WallTime time, const FrameView& frame, const MessageInfo* message);
+
 /// Appends the fields of a payload as an object: the `fields` of `append_frame`.
 void append_fields(JsonText& json, const MessageInfo& message, Bytes payload);
 

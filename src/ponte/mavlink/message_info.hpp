@@ -66,6 +66,7 @@ struct FieldInfo {
   std::string_view unit;      ///< as the definition writes it, e.g. "degE7"; empty: none
   std::string_view invalid;   ///< the value that means "unknown", as the definition writes it; empty: none
   const EnumInfo* enumeration;
+  bool instance{};  ///< tells several of the message apart, e.g. the number of a battery
 
   [[nodiscard]] constexpr std::size_t size() const {
     return std::size_t{size_of(type)} * (array_length == 0 ? 1U : array_length);

@@ -54,6 +54,10 @@ void Bridge::on_frame(const mavlink::FrameView& frame, const mavlink::MessageInf
   if (listener_ != nullptr) listener_->on_translated(frame, message);
 }
 
+void Bridge::on_skipped(Bytes run, mavlink::SkipReason reason) {
+  if (listener_ != nullptr) listener_->on_skipped(current_->id, run, reason);
+}
+
 void Bridge::translate(const mavlink::FrameView& frame, const mavlink::MessageInfo& message) {
   const bool followed = fleet_.on_frame(now_, current_->id, frame, frames, new_facts_);
   tell_facts(wall_);

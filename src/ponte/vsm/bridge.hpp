@@ -26,6 +26,8 @@ class BridgeListener {
   virtual void on_decoded(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
   /// The same frame has done its work: what it calls for stands in the outboxes.
   virtual void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
+  /// Bytes on a link that are part of no frame. One run may come in several calls.
+  virtual void on_skipped(autopilot::LinkId /*link*/, Bytes /*run*/, mavlink::SkipReason /*reason*/) {}
 };
 
 /// The telemetry side of a VSM from bytes to bytes: MAVLink links with any vehicles on them in, DLI messages, requests
@@ -67,6 +69,7 @@ class Bridge final : private mavlink::FrameSink {
 
  private:
   void on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
+  void on_skipped(Bytes run, mavlink::SkipReason reason) override;
   void translate(const mavlink::FrameView& frame, const mavlink::MessageInfo& message);
   Link* enter(Timestamp now, WallTime wall, autopilot::LinkId link);
   void tell_facts(WallTime wall);

@@ -1,0 +1,12 @@
+import { defineConfig } from 'vitest/config';
+
+export default defineConfig({
+  test: {
+    fileParallelism: false,
+    projects: [
+      { test: { name: 'unit', include: ['src/**/*.test.ts', 'test/contract/*.test.ts'] } },
+      // A real browser against a server.
+      { test: { name: 'page', include: ['test/page/*.test.ts'], testTimeout: 60_000, hookTimeout: 60_000 } },
+    ],
+  },
+});
