@@ -112,8 +112,8 @@ std::string demo_screen(const TwoSides& sides, const DemoStatus& status) {
   }
   if (!status.converts) right = {"conversion is off"};
   const auto& counts = sides.counts();
-  std::string text =
-      fmt::format("ponte demo   vehicle on {}   conversion {}\n", status.vehicle, status.converts ? "ON" : "OFF");
+  std::string text = fmt::format("ponte demo   vehicle on {}   conversion {}\nThe bridge page is at {}\n",
+                                 status.vehicle, status.converts ? "ON" : "OFF", status.page);
   text += fmt::format("{:<{}}| {}\n", "MAVLink", column_width, "STANAG 4586");
   text += std::string(column_width, '-') + "+" + std::string(column_width, '-') + "\n";
   for (std::size_t i = 0; i < std::max({left.size(), right.size(), last_line + 1}); ++i)

@@ -10,6 +10,7 @@ namespace ponte::app {
 /// What the window says beside the two sides.
 struct DemoStatus {
   std::string_view vehicle;  ///< endpoint
+  std::string_view page;     ///< address of the bridge page
   bool converts{};
 };
 
