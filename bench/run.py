@@ -11,53 +11,14 @@ import json
 import subprocess
 import sys
 import time
-from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable
 from pathlib import Path
+
+import planning
+from figure import HEADING, Figure
 
 RECORDING = Path("tests/recordings/px4_mission_v2_trimmed.tlog.gz")
 REPETITIONS = 3
-
-
-@dataclass
-class Figure:
-    """One line of the result. `target` is the least or the largest that passes, of the ratio if there is a peer."""
-
-    bench: str
-    case: str
-    value: float
-    unit: str
-    peer: str | None
-    peer_value: float | None
-    target: float | None
-    at_least: bool = False
-
-    @property
-    def ratio(self) -> float | None:
-        return self.value / self.peer_value if self.peer_value else None
-
-    @property
-    def passed(self) -> bool | None:
-        if self.target is None:
-            return None
-        judged = self.ratio if self.ratio is not None else self.value
-        return judged >= self.target if self.at_least else judged <= self.target
-
-    def as_json(self) -> str:
-        line = asdict(self) | {"ratio": self.ratio, "pass": self.passed}
-        del line["at_least"]
-        return json.dumps(line)
-
-    def as_row(self) -> str:
-        def number(value: float | None, form: str) -> str:
-            return "-" if value is None else format(value, form)
-
-        verdict = {None: "", True: "pass", False: "MISSED"}[self.passed]
-        return (
-            f"{self.bench:8} {self.case:24} {self.value:12.0f} {self.unit:9} {self.peer or '-':12} "
-            f"{number(self.peer_value, '12.0f'):>12} {number(self.ratio, '8.2f'):>8} "
-            f"{number(self.target, '8.2f'):>9} {verdict}"
-        )
 
 
 def frames_of(recording: Path) -> bytes:
@@ -98,20 +59,24 @@ def measured_by(program: Path) -> dict[str, float]:
 def parse(programs: Path) -> list[Figure]:
     rate = measured_by(programs / "bench_parse")["parse"]
     peer = pymavlink_rate(frames_of(RECORDING))
-    return [Figure("parse", "parse", rate, "frames/s", "pymavlink", peer, 8.0, at_least=True)]
+    return [Figure("parse", "parse", rate, "frames/s", "pymavlink", peer, 8.0, at_least=True, of_ratio=True)]
 
 
 def vsm(programs: Path) -> list[Figure]:
     value = measured_by(programs / "bench_vsm")
     alone = [("frame to DLI bytes p50", 2000.0), ("frame to DLI bytes p99", 10000.0)]
     relay = "plain relay"
-    return [Figure("vsm", case, value[case], "ns", None, None, target) for case, target in alone] + [
-        Figure("vsm", f"over loopback {part}", value[f"over loopback {part}"], "ns", relay, value[f"{relay} {part}"], target)
-        for part, target in (("p50", 1.25), ("p99", None))
+    through = [("p50", 1.25), ("p99", None)]
+    return [Figure("vsm", case, value[case], "ns", target=target) for case, target in alone] + [
+        Figure(
+            "vsm", f"over loopback {part}", value[f"over loopback {part}"], "ns", relay, value[f"{relay} {part}"],
+            target, of_ratio=True,
+        )  # fmt: skip
+        for part, target in through
     ]
 
 
-BENCHES: dict[str, Callable[[Path], list[Figure]]] = {"parse": parse, "vsm": vsm}
+BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {"parse": parse, "vsm": vsm, "planning": planning.figures}
 
 
 def main() -> int:
@@ -124,7 +89,7 @@ def main() -> int:
         arguments.error(f"no such benchmark: {', '.join(sorted(unknown))}; there is {', '.join(BENCHES)}")
 
     figures: list[Figure] = []
-    print(f"{'bench':8} {'case':24} {'value':>12} {'unit':9} {'peer':12} {'peer value':>12} {'ratio':>8} {'target':>9}")
+    print(HEADING)
     for name in options.names or BENCHES:
         for figure in BENCHES[name](options.programs):
             figures.append(figure)

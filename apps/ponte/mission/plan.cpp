@@ -113,9 +113,15 @@ void check_altitudes(const PlanOptions& options, const FlightPlanner& planner, i
   };
   const auto& task = planner.task();
   check("the plan", task.altitude.height.value);
-  for (std::size_t i = 0; i < task.points.size(); ++i)
-    if (const auto& altitude = task.points[i].altitude; altitude && altitude->above == task.altitude.above)
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    const auto& altitude = task.points[i].altitude;
+    if (!altitude) continue;
+    if (altitude->above == task.altitude.above)
       check(point_name(task.points[i], i), altitude->height.value);
+    else
+      fmt::print(stderr, "{}: its altitude is not above home, so its limits are not checked\n",
+                 point_name(task.points[i], i));
+  }
 }
 
 /// "out.plan" for one vehicle, "out-2.plan" for the second of several.

@@ -12,6 +12,8 @@ namespace {
 
 /// Metres per second, of a copter that is not told another.
 constexpr double usual_speed = 8;
+/// The ways between all pairs of so many points still fit into the memory of a small computer.
+constexpr std::size_t points_max = 2000;
 constexpr std::string_view vehicle_grammar =
     "keys start=LAT,LON end=LAT,LON (repeatable) speed=M/S endurance=S quality=0..1, separated by semicolons";
 
@@ -144,6 +146,9 @@ planning::Task task_from(const PlanOptions& options, planning::MissionFile conte
   if (task.points.empty())
     throw Failure{
         fmt::format("{}: there are no points in it: a mission is given as points of interest", options.input.file)};
+  if (task.points.size() > points_max)
+    throw Failure{fmt::format("{}: {} points are too many to plan at once: expected at most {}", options.input.file,
+                              task.points.size(), points_max)};
   const auto vehicles = options.vehicles.empty() ? std::vector<std::string>{""} : options.vehicles;
   for (const auto& text : vehicles) task.crafts.push_back(craft_from(options, text, task.points.front().place));
   task.margin = Metres{options.margin_m};

@@ -20,9 +20,9 @@ struct Craft {
 
 struct Task {
   std::vector<PointOfInterest> points{};
-  std::vector<Craft> crafts{};
-  vehicle::Mission fence{};  ///< its polygons and circles hold on every leg
-  Metres margin{};           ///< that detours keep from corners of the fence
+  std::vector<Craft> crafts{};  ///< at least one
+  vehicle::Mission fence{};     ///< its polygons and circles hold on every leg
+  Metres margin{};              ///< that detours keep from corners of the fence
   Wind wind{};
   vehicle::Altitude altitude{};  ///< to fly at where a point tells none
   Objective objective{};

@@ -4,6 +4,8 @@
 #include "ponte/planning/problem.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 /// Problems and plans for the tests of the solvers.
 namespace ponte::planning::testing {
@@ -80,7 +82,7 @@ inline std::string broken_constraint(const Problem& problem, const Plan& plan) {
   return "";
 }
 
-/// Whether a plan is better than another by the objective, beyond the size of a tick.
+/// Whether a plan is worse than another by the objective, beyond the size of a tick.
 inline bool is_worse(const Problem& problem, const Plan& plan, const Plan& than) {
   const auto a = figures(problem, plan);
   const auto b = figures(problem, than);

@@ -62,6 +62,7 @@ class Tour {
     const auto count = (turn.from <= turn.to ? turn.to - turn.from : turn.to + size() - turn.from) + 1;
     auto from = turn.from;
     auto to = turn.to;
+    // A count of all cities is that of an empty rest.
     for (auto swaps = count % size() / 2; swaps > 0; --swaps) {
       std::swap(order_[from], order_[to]);
       position_[order_[from]] = from;
