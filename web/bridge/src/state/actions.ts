@@ -1,10 +1,11 @@
 import { signal } from '@preact/signals';
 import { api } from '../client/api';
+import type { Flow } from '../model/crossings';
 import { unitSystems } from '../model/units';
 import { languages, type TextKey } from '../text';
 import { chosenFlow } from './selection';
 import { next, settings, themes } from './settings';
-import { act, chosenVehicle, live, paused, role, status, vehicleId, view, type View } from './store';
+import { act, catalogue, chosenVehicle, live, paused, role, status, vehicleId, view, type View } from './store';
 
 export const helpIsOpen = signal(false);
 
@@ -17,6 +18,17 @@ export function toggleConversion(): void {
 /** The flow that the panes show, if anything has crossed. */
 export function shownFlow() {
   return live.crossings.flow(chosenFlow.value ?? '') ?? live.crossings.flows()[0];
+}
+
+/**
+ * The DLI messages that a flow becomes: those that it has become, without what only happened to be sent at the same
+ * moment; while there are none, those that carry its values.
+ */
+export function numbersOf({ crossing: { mavlink }, numbers }: Flow): number[] {
+  const mapped = (mavlink && catalogue.value?.numbersFrom(mavlink.name)) ?? [];
+  const own = numbers.filter((number) => mapped.includes(number));
+  if (own.length > 0) return own;
+  return numbers.length > 0 ? numbers : mapped;
 }
 
 function moveFlow(step: 1 | -1): void {

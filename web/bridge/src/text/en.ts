@@ -75,7 +75,7 @@ export const en = {
   'pane.unchanged': 'unchanged',
   'pane.notSent': 'zeros',
   'pane.unknown': 'Not a message of the dialect: only its bytes are known.',
-  'pane.noNews': 'This sample brought nothing new. The last message of the kind:',
+  'pane.noNews': 'Nothing was sent at once because of this sample. The newest message of the kind:',
   'pane.carried': 'These values travel in the next message of the kind:',
   'pane.untranslated': 'Ponte translates no field of this message.',
   'pane.off': 'Conversion is off.',

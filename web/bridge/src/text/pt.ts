@@ -77,7 +77,7 @@ export const pt: Record<TextKey, string> = {
   'pane.unchanged': 'inalterado',
   'pane.notSent': 'zeros',
   'pane.unknown': 'Não é uma mensagem do dialeto: só se conhecem os seus bytes.',
-  'pane.noNews': 'Esta amostra não trouxe nada de novo. A última mensagem do tipo:',
+  'pane.noNews': 'Nada foi enviado de imediato por causa desta amostra. A mensagem mais recente do tipo:',
   'pane.carried': 'Estes valores seguem na próxima mensagem do tipo:',
   'pane.untranslated': 'A Ponte não traduz nenhum campo desta mensagem.',
   'pane.off': 'A conversão está desligada.',

@@ -26,11 +26,13 @@ it('marks the bytes of a field and of its partner, and they say the same', async
     .click();
   await page.locator('.dli-side h3', { hasText: '#4000' }).waitFor();
   await page.locator('.mavlink-side').getByRole('button', { name: 'roll', exact: true }).hover();
-  // A message may leave an unchanged roll out: wait for one that has it, and read both sides at one moment.
+  // A message may leave an unchanged roll out: wait for one that has it, of the same
+  // event (there is no note that says otherwise), and read both sides at one moment.
   const marks = await page.waitForFunction(() => {
     const mark = (side: string) => document.querySelector(`${side} mark`)?.textContent;
     const [mavlink, dli] = [mark('.mavlink-side'), mark('.dli-side')];
-    return mavlink && dli ? { mavlink, dli } : undefined;
+    const isSameEvent = document.querySelector('.dli-side .note') === null;
+    return mavlink && dli && isSameEvent ? { mavlink, dli } : undefined;
   });
   const { mavlink, dli } = (await marks.jsonValue())!;
   const difference = bytesOf(mavlink).readFloatLE() - (bytesOf(dli).readInt16BE() * Math.PI) / 32768;

@@ -36,7 +36,9 @@ it('plots an element of an array', async () => {
   await page.getByRole('button', { name: /^Plot: BATTERY_STATUS 0 voltages\[1\]/ }).click();
   const figure = page.locator('.charts figure');
   await figure.locator('canvas').waitFor();
-  await expect.poll(async () => Number(await figure.locator('figcaption .number').textContent())).toBeGreaterThan(1000);
+  await expect
+    .poll(async () => Number(await figure.locator('figcaption .number').textContent()), { timeout: 50_000 })
+    .toBeGreaterThan(1000);
   await figure.getByRole('button', { name: /^Remove/ }).click();
   await figure.waitFor({ state: 'detached' });
 });

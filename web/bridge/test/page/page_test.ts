@@ -37,7 +37,7 @@ export function pageTest(options: Options = {}): PageTest {
 
   test.open = async ({ path = '', prepare, ...contextOptions } = {}) => {
     const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...contextOptions });
-    page.setDefaultTimeout(15_000);
+    page.setDefaultTimeout(50_000);
     page.on('pageerror', (error) => complaints.push(String(error)));
     page.on('request', (request) => {
       if (!request.url().startsWith(test.server.url)) complaints.push(`asked elsewhere: ${request.url()}`);

@@ -1,5 +1,6 @@
 import { useSignal, useSignalEffect } from '@preact/signals';
 import { useRef } from 'preact/hooks';
+import { numbersOf } from '../../state/actions';
 import { live, motion } from '../../state/store';
 
 interface Traveller {
@@ -28,7 +29,7 @@ export function BridgeDrawing({ isOpen }: { isOpen: boolean }) {
     const from = flow?.crossing.mavlink?.name;
     if (from === undefined) return;
     lastStart.current = performance.now();
-    const traveller = { number: turn.current, from, to: `#${flow!.numbers[0]}` };
+    const traveller = { number: turn.current, from, to: `#${numbersOf(flow!)[0]}` };
     travellers.value = [...travellers.peek(), traveller].slice(-travellersAtOnce);
   });
   return (

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { Flow } from '../../model/crossings';
-import { shownFlow } from '../../state/actions';
+import { numbersOf, shownFlow } from '../../state/actions';
 import { selectFirstMapped } from '../../state/selection';
 import { catalogue, live, paused, reading, status } from '../../state/store';
 import { t, type TextKey } from '../../text';
@@ -81,11 +81,6 @@ function Translated({ flow }: { flow: Flow }) {
       {message ? <DliPane message={message} /> : <p>{t('pane.waiting')}</p>}
     </>
   );
-}
-
-function numbersOf({ crossing, numbers }: Flow): number[] {
-  if (numbers.length > 0 || crossing.mavlink === undefined) return numbers;
-  return catalogue.value?.numbersFrom(crossing.mavlink.name) ?? [];
 }
 
 function reasonOfAbsence({ numbers }: Flow): TextKey {

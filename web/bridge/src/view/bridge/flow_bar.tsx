@@ -1,4 +1,5 @@
-import { shownFlow } from '../../state/actions';
+import type { Flow } from '../../model/crossings';
+import { numbersOf, shownFlow } from '../../state/actions';
 import { chosenFlow } from '../../state/selection';
 import { live, reading } from '../../state/store';
 import { t } from '../../text';
@@ -14,27 +15,33 @@ export function FlowBar() {
     <div class="chips" role="group" aria-label={t('flows.label')} onKeyDown={moveWithArrows}>
       <PauseButton />
       {flows.length === 0 && <span class="muted">{t('flows.none')}</span>}
-      {flows.map(({ key, title, crossing, numbers }) => (
-        <button
-          key={key}
-          type="button"
-          class="chip"
-          data-roving
-          tabIndex={key === shown ? 0 : -1}
-          aria-pressed={key === shown}
-          onClick={() => (chosenFlow.value = key)}
-        >
-          {key === shown && <span aria-hidden="true">✓ </span>}
-          {title}
-          {crossing.mavlink && numbers.length > 0 && (
-            <>
-              <span aria-hidden="true"> → </span>
-              <span class="unseen"> {t('flows.becomes')} </span>
-              <span class="dli-ink">{numbers.map((number) => `#${number}`).join(' ')}</span>
-            </>
-          )}
-        </button>
+      {flows.map((flow) => (
+        <FlowChip key={flow.key} flow={flow} isShown={flow.key === shown} />
       ))}
     </div>
+  );
+}
+
+function FlowChip({ flow, isShown }: { flow: Flow; isShown: boolean }) {
+  const becomes = flow.crossing.mavlink && flow.numbers.length > 0 ? numbersOf(flow) : [];
+  return (
+    <button
+      type="button"
+      class="chip"
+      data-roving
+      tabIndex={isShown ? 0 : -1}
+      aria-pressed={isShown}
+      onClick={() => (chosenFlow.value = flow.key)}
+    >
+      {isShown && <span aria-hidden="true">✓ </span>}
+      {flow.title}
+      {becomes.length > 0 && (
+        <>
+          <span aria-hidden="true"> → </span>
+          <span class="unseen"> {t('flows.becomes')} </span>
+          <span class="dli-ink">{becomes.map((number) => `#${number}`).join(' ')}</span>
+        </>
+      )}
+    </button>
   );
 }
