@@ -38,7 +38,7 @@ bool has_attitude(const vsm::OutgoingMessage& message, const dli::Profile& profi
 
 }  // namespace
 
-void TwoSides::on_crossing(const Crossing& crossing) {
+void TwoSides::on_crossing(const vsm::Crossing& crossing) {
   ++counts_.frames;
   if (crossing.frame.message != Attitude::info.id) return;
   ++counts_.attitudes;

@@ -2,7 +2,7 @@
 
 #include "ponte/core/time.hpp"
 #include "ponte/dli/profile.hpp"
-#include "vsm/crossing.hpp"
+#include "ponte/vsm/crossing.hpp"
 
 #include <array>
 #include <cstdint>
@@ -41,7 +41,7 @@ class TwoSides {
  public:
   explicit TwoSides(const dli::Profile& profile) : profile_{profile} {}
 
-  void on_crossing(const Crossing& crossing);
+  void on_crossing(const vsm::Crossing& crossing);
   /// What the station hears.
   void on_datagram(Bytes datagram);
 
