@@ -40,7 +40,7 @@ std::unique_ptr<BridgeServer> start_server(transport::Loop& loop, LiveVsm& vsm, 
                                            const Log& log) {
   auto wanted = bridge_server_options_from(options.http);
   if (!wanted) return nullptr;
-  if (!options.vsm.profile.empty()) wanted->profile_name = std::filesystem::path{options.vsm.profile}.stem().string();
+  if (!options.vsm.dli.profile.empty()) wanted->profile_name = std::filesystem::path{options.vsm.dli.profile}.stem().string();
   auto server = std::make_unique<BridgeServer>(loop, vsm, std::move(*wanted), log);
   fmt::print(stderr, "The bridge page is at {}\n", server->url());
   return server;
