@@ -179,15 +179,17 @@ void bench_heterogeneous(const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: bench_planning FOLDER\n");
+  const std::string_view group = argc == 3 ? argv[2] : "all";
+  const auto is_wanted = [&](std::string_view name) { return group == "all" || group == name; };
+  if (argc < 2 || argc > 3 || !(is_wanted("tours") || is_wanted("longest") || is_wanted("heterogeneous"))) {
+    fmt::print(stderr, "usage: bench_planning FOLDER [tours|longest|heterogeneous]\n");
     return 2;
   }
   try {
     const std::filesystem::path folder{argv[1]};
-    bench_tours(folder);
-    bench_longest_routes(folder);
-    bench_heterogeneous(folder);
+    if (is_wanted("tours")) bench_tours(folder);
+    if (is_wanted("longest")) bench_longest_routes(folder);
+    if (is_wanted("heterogeneous")) bench_heterogeneous(folder);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_planning: {}\n", error.what());
     return 1;
