@@ -101,7 +101,10 @@ void LiveVsm::begin(vsm::VehicleLinkId id, std::string_view link, WallTime time,
   received_ = received;
 }
 
-void LiveVsm::on_decoded(const mavlink::FrameView&, const mavlink::MessageInfo*) { decoded_ = loop_.now(); }
+void LiveVsm::on_decoded(const mavlink::FrameView&, const mavlink::MessageInfo*) {
+  send_due();
+  decoded_ = loop_.now();
+}
 
 /// Sends at once, rather than when all the bytes that came together are read.
 void LiveVsm::on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) {
@@ -134,14 +137,20 @@ void LiveVsm::send(const vsm::OutgoingMessage& message) {
   if (observer_) observer_(message);
 }
 
-/// Carries out what the bridge wants done.
-void LiveVsm::pump() {
+/// Sends what the clock, and no frame, has called for.
+void LiveVsm::send_due() {
+  if (bridge_.messages.empty()) return;
   sent_.clear();
   bridge_.messages.drain([&](const vsm::OutgoingMessage& message) {
     send(message);
     sent_.push_back(message);
   });
-  if (!sent_.empty()) tell(&VsmWatcher::on_clock, loop_.now(), std::span<const vsm::OutgoingMessage>{sent_});
+  tell(&VsmWatcher::on_clock, loop_.now(), std::span<const vsm::OutgoingMessage>{sent_});
+}
+
+/// Carries out what the bridge wants done.
+void LiveVsm::pump() {
+  send_due();
   bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) {
     for (const auto& side : vehicle_sides_)
       if (side->send(frame)) break;

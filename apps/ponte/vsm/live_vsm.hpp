@@ -75,6 +75,7 @@ class LiveVsm final : private vsm::BridgeListener {
     for (auto* watcher : watchers_) (watcher->*what)(arguments...);
   }
   void send(const vsm::OutgoingMessage& message);
+  void send_due();
   void pump();
   void finish_if_all_have();
   [[nodiscard]] autopilot::LinkId new_link_number();

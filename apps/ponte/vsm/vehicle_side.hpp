@@ -52,7 +52,7 @@ class VehicleSide final : public transport::LinkHandler {
   transport::Endpoint endpoint_;
   std::string name_;
   std::map<transport::PeerId, autopilot::LinkId> numbers_;
-  Traffic ended_;      ///< of links that are no more
+  Traffic ended_;       ///< of links that are no more
   std::string detail_;  ///< why the endpoint is down; empty while it is not
   std::unique_ptr<transport::Link> link_;
 };

@@ -40,7 +40,8 @@ std::unique_ptr<BridgeServer> start_server(transport::Loop& loop, LiveVsm& vsm, 
                                            const Log& log) {
   auto wanted = bridge_server_options_from(options.http);
   if (!wanted) return nullptr;
-  if (!options.vsm.dli.profile.empty()) wanted->profile_name = std::filesystem::path{options.vsm.dli.profile}.stem().string();
+  if (!options.vsm.dli.profile.empty())
+    wanted->profile_name = std::filesystem::path{options.vsm.dli.profile}.stem().string();
   auto server = std::make_unique<BridgeServer>(loop, vsm, std::move(*wanted), log);
   fmt::print(stderr, "The bridge page is at {}\n", server->url());
   return server;
@@ -82,9 +83,8 @@ void run(const Options& options) {
 void add_vsm(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("vsm", "Make MAVLink vehicles STANAG 4586 vehicles (telemetry; monitor only)");
-  command
-      ->add_option("--vehicle", options->vehicles,
-                   "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording");
+  command->add_option("--vehicle", options->vehicles,
+                      "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording");
   command->add_option("--dli", options->dli, "Where ground stations are, e.g. udpmulticast://239.255.45.86:45860");
   add_vsm_options(*command, options->vsm);
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");

@@ -49,6 +49,7 @@ void Bridge::on_datagram(Timestamp now, WallTime wall, LinkId link, Bytes datagr
 
 void Bridge::on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) {
   current_->losses.on_frame(frame.system, frame.component, frame.sequence);
+  tick_telemetry(now_, wall_);  // what was due before does not come of this frame
   if (listener_ != nullptr) listener_->on_decoded(frame, message);
   if (message != nullptr) translate(frame, *message);
   if (listener_ != nullptr) listener_->on_translated(frame, message);
@@ -88,6 +89,10 @@ void Bridge::on_tick(Timestamp now, WallTime wall) {
   }
   fleet_.on_tick(now, frames, new_facts_);
   tell_facts(wall);
+  tick_telemetry(now, wall);
+}
+
+void Bridge::tick_telemetry(Timestamp now, WallTime wall) {
   if (converts_ && telemetry_.next_deadline() <= now) telemetry_.on_tick(now, wall, messages);
 }
 

@@ -22,7 +22,8 @@ struct BridgeConfig {
 class BridgeListener {
  public:
   virtual ~BridgeListener() = default;
-  /// A frame was found, and its checksum is right. `message` is nothing if the dialect does not know it.
+  /// A frame was found, and its checksum is right. `message` is nothing if the dialect does not know it. What stands in
+  /// the outbox now was due anyway.
   virtual void on_decoded(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
   /// The same frame has done its work: what it calls for stands in the outboxes.
   virtual void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
@@ -73,6 +74,7 @@ class Bridge final : private mavlink::FrameSink {
   void translate(const mavlink::FrameView& frame, const mavlink::MessageInfo& message);
   Link* enter(Timestamp now, WallTime wall, autopilot::LinkId link);
   void tell_facts(WallTime wall);
+  void tick_telemetry(Timestamp now, WallTime wall);
 
   autopilot::FleetSession fleet_;
   Telemetry telemetry_;

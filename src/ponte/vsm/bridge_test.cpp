@@ -196,6 +196,12 @@ TEST(Bridge, TellsItsListenerOfEachFrameBeforeAndAfter) {
   bridge.on_datagram(Timestamp{}, wall, radio, attitude.view().whole);
   using Step = std::pair<std::uint32_t, std::size_t>;
   EXPECT_THAT(listener.steps, ElementsAre(Step{30, 0}, Step{30, 1}));
+  listener.steps.clear();
+  bridge.on_datagram(Timestamp{1ms}, wall, radio, attitude.view().whole);
+  bridge.messages.drain([](const OutgoingMessage&) {});
+  bridge.on_datagram(Timestamp{1s}, wall, radio, heartbeat.view().whole);
+  ASSERT_THAT(listener.steps, SizeIs(4));
+  EXPECT_GT(listener.steps[2].second, 0U) << "the VSM's heartbeat and what else was due stand there before the frame";
 }
 
 TEST(Bridge, IgnoresLinksThatItHasNotBeenToldOf) {
