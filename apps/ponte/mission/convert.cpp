@@ -34,19 +34,20 @@ std::string counted(const planning::MissionFile& content) {
 
 void run(const Options& options) {
   if (options.output.empty() && !options.json) throw UsageError{"mission convert: expected OUT, or --json"};
-  const auto target = options.output.empty() ? std::nullopt : std::optional{output_format(options)};
+  const bool writes = !options.output.empty();
+  const auto target = writes ? output_format(options) : planning::Format{};  // wrong options are told before any work
   const auto loaded = load_mission(options.input);
   if (options.json) print_json(loaded.content);
   auto* const summary = options.json ? stderr : stdout;
   if (!options.quiet)
     fmt::print(summary, "read   {}: {} ({})\n", options.input.file, counted(loaded.content), name_of(loaded.format));
-  if (!target) return;
-  const auto writing = planning::write_mission_file(*target, loaded.content);
+  if (!writes) return;
+  const auto writing = planning::write_mission_file(target, loaded.content);
   if (!writing) throw Failure{to_text(options.input.file, writing.error())};
   save_file(options.output, writing->bytes);
   for (const auto& loss : writing->losses) fmt::print(stderr, "{}: lost: {}\n", options.output, loss);
   if (!options.quiet)
-    fmt::print(summary, "wrote  {}: {} bytes ({})\n", options.output, writing->bytes.size(), name_of(*target));
+    fmt::print(summary, "wrote  {}: {} bytes ({})\n", options.output, writing->bytes.size(), name_of(target));
 }
 
 }  // namespace
