@@ -146,6 +146,13 @@ class PlanReader {
       if (const auto* items = transects->find("Items"))
         for (const auto& item : elements_of(*items, "Items")) read_simple(item);
     pattern.count = items_.size() - pattern.first;
+    // Its text is written again as it is, so the numbers in it must be those of its places.
+    for (std::size_t i = pattern.first; i < items_.size(); ++i) {
+      if (items_[i].number == i + 1) continue;
+      remark(object,
+             fmt::format("the items of the {} are not numbered by their places: it becomes its items", pattern.kind));
+      return;
+    }
     mission().patterns.push_back(std::move(pattern));
   }
 
