@@ -12,10 +12,10 @@
 #include "inspect/recent_rates.hpp"
 #include "inspect/report.hpp"
 #include "inspect/traffic.hpp"
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/assert.hpp"
 #include "ponte/dli/json.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -65,7 +65,7 @@ void inspect_file(const Options& options) {
     throw Failure{fmt::format("{}: {}", options.place, file.damage.empty() ? "the file is empty" : file.damage)};
   Traffic traffic;
   Views views{options, traffic};
-  const auto format = read_capture(file.bytes, mavlink::autopilots::dialect, views.sink());
+  const auto format = read_capture(file.bytes, autopilot::dialect, views.sink());
   views.finish();
   if (traffic.frames == 0)
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes; {}", options.place, file.bytes.size(),

@@ -1,7 +1,7 @@
 #include "inspect/live_traffic.hpp"
 
 #include "common/failure.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
+#include "ponte/autopilot/dialect.hpp"
 #include "vsm/link_log.hpp"
 
 namespace ponte::app {
@@ -57,7 +57,7 @@ LiveTraffic::LiveTraffic(transport::Loop& loop, const transport::Endpoint& endpo
 
 mavlink::Parser& LiveTraffic::parser_of(transport::PeerId peer) {
   auto& parser = parsers_[peer];
-  if (!parser) parser = std::make_unique<mavlink::Parser>(mavlink::autopilots::dialect);
+  if (!parser) parser = std::make_unique<mavlink::Parser>(autopilot::dialect);
   return *parser;
 }
 

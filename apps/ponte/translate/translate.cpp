@@ -8,10 +8,10 @@
 #include "common/outgoing.hpp"
 #include "common/recorded_vsm.hpp"
 #include "common/vsm_options.hpp"
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/json_text.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
 #include "ponte/dli/pcap.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -151,7 +151,7 @@ void run(const Options& options) {
 
   Output output{options, profile};
   Translator translator{config, output};
-  read_capture(file.bytes, mavlink::autopilots::dialect, translator);
+  read_capture(file.bytes, autopilot::dialect, translator);
 
   if (translator.frames == 0)
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes; {}", options.file, file.bytes.size(),
