@@ -6,11 +6,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 /// MAVLink 0.9, 1 and 2 frames: where they begin and end, and what is in their header.
 namespace ponte::mavlink {
 
 enum class Version : std::uint8_t { v0_9 = 0, v1 = 1, v2 = 2 };
+
+/// "0.9", "1" or "2".
+[[nodiscard]] constexpr std::string_view to_text(Version version) {
+  switch (version) {
+    case Version::v0_9: return "0.9";
+    case Version::v1: return "1";
+    case Version::v2: return "2";
+  }
+  return {};
+}
 
 inline constexpr std::byte start_v0_9{0x55};  ///< 'U'
 inline constexpr std::byte start_v1{0xFE};
