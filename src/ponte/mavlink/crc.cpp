@@ -1,5 +1,7 @@
 #include "ponte/mavlink/crc.hpp"
 
+#include "ponte/mavlink/crc_multiply.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -42,6 +44,8 @@ inline unsigned add_block(const std::byte* at, std::size_t size, unsigned crc) {
 }  // namespace
 
 std::uint16_t crc_of(Bytes bytes, std::uint16_t before) {
+  static const bool multiplies = detail::can_multiply();
+  if (multiplies && bytes.size() >= detail::least_multiplied) return detail::crc_by_multiplication(bytes, before);
   unsigned crc = before;
   const std::byte* at = bytes.data();
   std::size_t left = bytes.size();
@@ -54,10 +58,6 @@ std::uint16_t crc_of(Bytes bytes, std::uint16_t before) {
   if (left >= 2) return static_cast<std::uint16_t>(add_block(at, left, crc));
   if (left == 1) return crc_of(std::to_integer<std::uint8_t>(*at), static_cast<std::uint16_t>(crc));
   return static_cast<std::uint16_t>(crc);
-}
-
-std::uint16_t crc_of(std::uint8_t byte, std::uint16_t before) {
-  return static_cast<std::uint16_t>((unsigned{before} >> 8U) ^ tables[0][(before ^ byte) & 0xFFU]);
 }
 
 }  // namespace ponte::mavlink

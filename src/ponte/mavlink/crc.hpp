@@ -14,6 +14,10 @@ inline constexpr std::uint16_t crc_initial = 0xFFFF;
 [[nodiscard]] std::uint16_t crc_of(Bytes bytes, std::uint16_t before = crc_initial);
 
 /// The same for one more byte, such as the crc_extra of a message.
-[[nodiscard]] std::uint16_t crc_of(std::uint8_t byte, std::uint16_t before);
+[[nodiscard]] constexpr std::uint16_t crc_of(std::uint8_t byte, std::uint16_t before) {
+  const unsigned low = (before ^ byte) & 0xFFU;
+  const unsigned mixed = (low ^ low << 4U) & 0xFFU;
+  return static_cast<std::uint16_t>(unsigned{before} >> 8U ^ mixed << 8U ^ mixed << 3U ^ mixed >> 4U);
+}
 
 }  // namespace ponte::mavlink
