@@ -1,7 +1,5 @@
 #include "ponte/mavlink/crc.hpp"
 
-#include "ponte/mavlink/crc_multiply.hpp"
-
 #include <array>
 #include <cstddef>
 
@@ -43,9 +41,7 @@ inline unsigned add_block(const std::byte* at, std::size_t size, unsigned crc) {
 
 }  // namespace
 
-std::uint16_t crc_of(Bytes bytes, std::uint16_t before) {
-  static const bool multiplies = detail::can_multiply();
-  if (multiplies && bytes.size() >= detail::least_multiplied) return detail::crc_by_multiplication(bytes, before);
+std::uint16_t detail::crc_by_tables(Bytes bytes, std::uint16_t before) {
   unsigned crc = before;
   const std::byte* at = bytes.data();
   std::size_t left = bytes.size();

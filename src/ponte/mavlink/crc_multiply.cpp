@@ -1,6 +1,5 @@
-#include "ponte/mavlink/crc_multiply.hpp"
-
 #include "ponte/core/assert.hpp"
+#include "ponte/mavlink/crc.hpp"
 
 #ifdef __x86_64__
 
@@ -80,10 +79,7 @@ PONTE_WITH_MULTIPLICATION inline __m128i load_first(const std::byte* at, __m128i
 
 }  // namespace
 
-bool can_multiply() {
-  static const bool can = __builtin_cpu_supports("pclmul") != 0 && __builtin_cpu_supports("sse4.1") != 0;
-  return can;
-}
+const bool multiplies = __builtin_cpu_supports("pclmul") != 0 && __builtin_cpu_supports("sse4.1") != 0;
 
 PONTE_WITH_MULTIPLICATION std::uint16_t crc_by_multiplication(Bytes bytes, std::uint16_t before) {
   constexpr std::size_t longest = most_blocks * block_size;
@@ -123,7 +119,7 @@ PONTE_WITH_MULTIPLICATION std::uint16_t crc_by_multiplication(Bytes bytes, std::
 
 namespace ponte::mavlink::detail {
 
-bool can_multiply() { return false; }
+const bool multiplies = false;
 
 std::uint16_t crc_by_multiplication(Bytes /*bytes*/, std::uint16_t /*before*/) { PONTE_ASSERT(false); }
 
