@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+import page
 import planning
 from figure import HEADING, Figure
 
@@ -76,7 +77,12 @@ def vsm(programs: Path) -> list[Figure]:
     ]
 
 
-BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {"parse": parse, "vsm": vsm, "planning": planning.figures}
+BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
+    "parse": parse,
+    "vsm": vsm,
+    "page": page.figures,
+    "planning": planning.figures,
+}
 
 
 def main() -> int:
