@@ -172,7 +172,7 @@ export const en = {
   'inspector.filter': 'Filter',
   'inspector.filter.hint': 'name, number, field, link/system/component',
   'inspector.message': 'Message',
-  'inspector.from': 'Link/system/component',
+  'inspector.from': 'Link / system / component',
   'inspector.source': 'Source',
   'inspector.count': 'Count',
   'inspector.rate': 'Rate (Hz)',

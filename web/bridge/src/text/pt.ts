@@ -174,7 +174,7 @@ export const pt: Record<TextKey, string> = {
   'inspector.filter': 'Filtro',
   'inspector.filter.hint': 'nome, número, campo, ligação/sistema/componente',
   'inspector.message': 'Mensagem',
-  'inspector.from': 'Ligação/sistema/componente',
+  'inspector.from': 'Ligação / sistema / componente',
   'inspector.source': 'Origem',
   'inspector.count': 'Contagem',
   'inspector.rate': 'Ritmo (Hz)',
