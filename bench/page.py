@@ -92,6 +92,8 @@ class Load:
         for task in tasks:
             task.cancel()
         await browser.close()
+        events, missed = min(c.events for c in self.clients), sum(c.missed_events for c in self.clients)
+        dropped = sum(c.dropped for c in self.clients)
         return [
             Figure("page", "MAVLink frames in", frames / took, "frames/s"),
             Figure("page", "messages to clients", messages / took, "1/s"),
@@ -99,10 +101,10 @@ class Load:
             Figure("page", "server's processor", cpu / took * 100, "% of one"),
             Figure("page", "server's memory", memory_end, "MiB", "when warm", memory, GROWTH_MAX, of_ratio=True),
             Figure("page", "page's heap", heap_end, "MiB", "when warm", heap, GROWTH_MAX, of_ratio=True),
-            Figure("page", "telemetry dropped", sum(c.dropped for c in self.clients), "messages"),
-            Figure("page", "events to each client", min(c.events for c in self.clients), "events", target=1, at_least=True),
-            Figure("page", "events missed", sum(c.missed_events for c in self.clients), "events", target=0),
-        ]  # fmt: skip
+            Figure("page", "telemetry dropped", dropped, "messages"),
+            Figure("page", "events to each client", events, "events", target=1, at_least=True),
+            Figure("page", "events missed", missed, "events", target=0),
+        ]
 
     def progress(self) -> tuple[float, float, float, float, float]:
         """Time, MAVLink frames, messages and bytes to the clients, processor time of the server."""

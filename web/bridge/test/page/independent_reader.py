@@ -1,7 +1,7 @@
 """Decodes what the page shows with the independent readers: pymavlink, and tests/independent for the DLI.
 
-Each line of stdin is a side, `mavlink` or `dli`, and the bytes of one message in hexadecimal. Each line of stdout is what
-they say, as JSON: {"fields": {NAME: VALUE}}, or {"number": N, "fields": {BIT: {"raw": R, "value": V, "unit": U}}}.
+Each line of stdin is a side, `mavlink` or `dli`, and the bytes of one message in hexadecimal. Each line of stdout is
+what they say, as JSON: {"fields": {NAME: VALUE}}, or {"number": N, "fields": {BIT: {"raw": R, "value": V, "unit": U}}}.
 """
 
 import json
