@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect, it, onTestFinished } from 'vitest';
 import { pageTest } from './page_test';
 import { program, run } from './server';
 
@@ -146,6 +146,10 @@ describe.skipIf(program === undefined)('the program', () => {
     const folder = mkdtempSync(join(tmpdir(), 'ponte-page-'));
     const serialPort = join(folder, 'tty');
     const sim = run(program!, ['sim', '--pty', serialPort, '--system', '7']);
+    onTestFinished(async () => {
+      await sim.end();
+      rmSync(folder, { recursive: true });
+    });
     const page = await test.open();
     await page.getByRole('button', { name: 'Links' }).click();
     await page.getByLabel('Endpoint').fill(`serial://${serialPort}:57600`);
@@ -159,7 +163,5 @@ describe.skipIf(program === undefined)('the program', () => {
     await page.getByRole('button', { name: `Disconnect: serial://${serialPort}:57600` }).click();
     await page.locator('.links li', { hasText: serialPort }).waitFor({ state: 'detached' });
     await page.locator('.events li', { hasText: 'Link down' }).filter({ hasText: serialPort }).waitFor();
-    await sim.end();
-    rmSync(folder, { recursive: true });
   });
 });
