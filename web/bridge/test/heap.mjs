@@ -17,13 +17,20 @@ await page
   .click();
 
 let turn = 0;
-const tour = setInterval(() => void page.keyboard.press(String(1 + (turn++ % 4))), 5000);
+let isMeasuring = false;
+const tour = setInterval(() => {
+  if (!isMeasuring) void page.keyboard.press(String(1 + (turn++ % 4)));
+}, 5000);
 
 for await (const _ of createInterface({ input: process.stdin })) {
+  isMeasuring = true;
   await page.keyboard.press('1');
-  await devtools.send('HeapProfiler.collectGarbage');
+  // What the view before has left is let go of.
+  await page.waitForTimeout(2000);
+  for (let pass = 0; pass < 2; ++pass) await devtools.send('HeapProfiler.collectGarbage');
   const { metrics } = await devtools.send('Performance.getMetrics');
   console.log(JSON.stringify({ bytes: metrics.find(({ name }) => name === 'JSHeapUsedSize').value }));
+  isMeasuring = false;
 }
 clearInterval(tour);
 await browser.close();
