@@ -12,6 +12,7 @@ import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+import page
 import planning
 from figure import HEADING, Figure
 from mavlink import figures as mavlink
@@ -39,7 +40,12 @@ def vsm(programs: Path) -> list[Figure]:
     ]
 
 
-BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {"mavlink": mavlink.figures, "vsm": vsm, "planning": planning.figures}
+BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
+    "mavlink": mavlink.figures,
+    "vsm": vsm,
+    "page": page.figures,
+    "planning": planning.figures,
+}
 
 
 def main() -> int:
