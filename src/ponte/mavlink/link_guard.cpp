@@ -22,10 +22,10 @@ std::string_view name_of(Refusal refusal) {
   switch (refusal) {
     case Refusal::unsigned_frame: return "unsigned";
     case Refusal::downgraded: return "downgraded";
-    case Refusal::wrong_signature: return "wrong signature";
-    case Refusal::replayed: return "replayed";
-    case Refusal::too_old: return "too old";
-    case Refusal::too_many_streams: return "too many streams";
+    case Refusal::wrong_signature: return name_of(SignatureVerdict::wrong);
+    case Refusal::replayed: return name_of(SignatureVerdict::replayed);
+    case Refusal::too_old: return name_of(SignatureVerdict::too_old);
+    case Refusal::too_many_streams: return name_of(SignatureVerdict::too_many_streams);
   }
   return {};
 }

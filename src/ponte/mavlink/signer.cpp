@@ -42,6 +42,17 @@ SigningTime signing_time_from(WallTime time) {
   return SigningTime{time < epoch ? 0U : static_cast<std::uint64_t>((time - epoch) / unit)};
 }
 
+std::string_view name_of(SignatureVerdict verdict) {
+  switch (verdict) {
+    case SignatureVerdict::accepted: return "accepted";
+    case SignatureVerdict::wrong: return "wrong signature";
+    case SignatureVerdict::replayed: return "replayed";
+    case SignatureVerdict::too_old: return "too old";
+    case SignatureVerdict::too_many_streams: return "too many streams";
+  }
+  return {};
+}
+
 void Signer::DigestDeleter::operator()(evp_md_st* digest) const { EVP_MD_free(digest); }
 void Signer::DigestDeleter::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 
 struct evp_md_st;
 struct evp_md_ctx_st;
@@ -31,6 +32,9 @@ enum class SignatureVerdict : std::uint8_t {
   too_old,           ///< right, but the first of its stream, and from more than a minute ago
   too_many_streams,  ///< right, but the first of its stream, and there is no room for another
 };
+inline constexpr std::size_t signature_verdict_count = 5;
+/// "accepted", "wrong signature", "replayed", ...
+[[nodiscard]] std::string_view name_of(SignatureVerdict verdict);
 
 /// Signs and verifies with one key. All links that use the key share one signer, so that what was heard on one cannot
 /// be replayed on another, and no time stamp is used twice. Allocates nothing after it was made.
