@@ -100,8 +100,8 @@ TEST(Router, TakesATargetThatMavlink2LeftOutForEverybody) {
   const auto targets = scene.send(a, 1, ping);
   EXPECT_EQ(u8(scene.buffer, 1), 1) << "one byte is left of the payload";
   EXPECT_THAT(targets, ElementsAre(b, c));
-  constexpr std::array<FieldInfo, 1> late{{{"target_system", FieldType::uint8, 0, 1, false, "", "", nullptr}}};
-  constexpr MessageInfo message{MessageId{5}, "LATE", 1, 2, 2, late};
+  static constexpr std::array<FieldInfo, 1> late{{{"target_system", FieldType::uint8, 0, 1, false, "", "", nullptr}}};
+  static constexpr MessageInfo message{MessageId{5}, "LATE", 1, 2, 2, late};
   EXPECT_THAT(scene.send(a, 1, message, {std::byte{7}}), ElementsAre(b, c));
 }
 
