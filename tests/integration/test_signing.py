@@ -160,6 +160,39 @@ def test_unsigned_frames_are_taken_until_the_first_signed_one(
     assert "; refused: 1 unsigned, 1 downgraded\n" in sim.end()
 
 
+def test_the_vsm_and_a_signing_vehicle_understand_one_another(ponte: Path, key_file: Path) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as station:
+        station.bind(("127.0.0.1", 0))
+        station.settimeout(HANG_LIMIT_S)
+        endpoint = f"udpout://127.0.0.1:{station.getsockname()[1]}"
+        command = [ponte, "vsm", "--vehicle", endpoint, "--signing-key", key_file, "--mavlink", "2-signed-only", "--json"]
+        vsm = subprocess.Popen(
+            [str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        judge = signing_link(KEY, system=1, component=1)
+        frame, place = station.recvfrom(2048)
+        (greeting,) = judge.parse_buffer(frame) or []
+        assert greeting.get_type() == "HEARTBEAT" and greeting.get_signed()
+
+        forger = signing_link(WRONG_KEY, system=2, component=1)
+        for link in (forger, judge):
+            station.sendto(dialect.MAVLink_heartbeat_message(2, 3, 81, 0, 3, 3).pack(link), place)
+        asked = None
+        while asked is None or asked.get_type() == "HEARTBEAT":
+            (asked,) = judge.parse_buffer(station.recv(2048)) or []
+            assert asked.get_signed()
+        assert asked.target_system == 1
+        station.sendto(dialect.MAVLink_attitude_message(1000, 0.5, 0, 0, 0, 0, 0).pack(judge), place)
+        assert vsm.stdout is not None
+        while '"roll"' not in vsm.stdout.readline():
+            pass
+        vsm.terminate()
+        log = vsm.communicate(timeout=HANG_LIMIT_S)[1]
+    assert vsm.returncode == 0
+    assert "vehicle appeared: system 1" in log and "system 2" not in log
+    assert "frames are refused: wrong signature" in log and "; refused: 1 wrong signature" in log
+
+
 @pytest.mark.parametrize("is_local", [True, False])
 def test_a_key_is_taken_from_a_local_link_only(vehicle: Callable[..., Vehicle], is_local: bool) -> None:
     sim = vehicle(*(["--local"] if is_local else []))
