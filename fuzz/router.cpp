@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::byte> input(size);
   std::ranges::copy(std::as_bytes(std::span{data, size}), input.begin());
   const auto head = std::min(choice_count, size);
-  repair_checksums(MutableBytes{input}.subspan(head));
+  repair_checksums(MutableBytes{input}.subspan(head), autopilots::dialect);
   Checker checker{Bytes{input}.first(head)};
   Parser parser{autopilots::dialect};
   parser.on_datagram(Bytes{input}.subspan(head), checker);

@@ -26,7 +26,6 @@ void LiveRouter::add(const transport::Endpoint& endpoint, mavlink::RouteRules ru
 }
 
 std::optional<mavlink::RouteLinkId> LiveRouter::open_link(Place place, const mavlink::RouteRules& rules) {
-  if (places_.size() == mavlink::Router::link_limit) return {};
   do {
     ++last_number_;
   } while (places_.contains(mavlink::RouteLinkId{last_number_}));

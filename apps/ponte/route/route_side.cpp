@@ -17,6 +17,19 @@ namespace ponte::app {
 using mavlink::RouteDrop;
 using transport::PeerId;
 
+namespace {
+
+std::string describe(const mavlink::RouteCounters& counters) {
+  std::vector<std::string> drops;
+  for (std::size_t i = 0; i < mavlink::route_drop_count; ++i)
+    if (counters.dropped[i] > 0)
+      drops.push_back(fmt::format("{} {}", counters.dropped[i], name_of(static_cast<RouteDrop>(i))));
+  return fmt::format("{} frames in, {} out{}", counters.received, counters.sent,
+                     drops.empty() ? std::string{} : fmt::format("; dropped: {}", fmt::join(drops, ", ")));
+}
+
+}  // namespace
+
 RouteSide::Peer::Peer(mavlink::RouteLinkId number) : id{number}, parser{mavlink::autopilots::dialect} {}
 
 RouteSide::RouteSide(LiveRouter& owner, const transport::Endpoint& endpoint, mavlink::RouteRules rules)
@@ -95,15 +108,6 @@ void RouteSide::wait_for_silence() {
   for (const auto& [id, peer] : peers_)
     if (const auto deadline = peer->parser.next_deadline(); deadline && (!due || *deadline < *due)) due = deadline;
   silence_.set(due);
-}
-
-std::string RouteSide::describe(const mavlink::RouteCounters& counters) const {
-  std::vector<std::string> drops;
-  for (std::size_t i = 0; i < mavlink::route_drop_count; ++i)
-    if (counters.dropped[i] > 0)
-      drops.push_back(fmt::format("{} {}", counters.dropped[i], name_of(static_cast<RouteDrop>(i))));
-  return fmt::format("{} frames in, {} out{}", counters.received, counters.sent,
-                     drops.empty() ? std::string{} : fmt::format("; dropped: {}", fmt::join(drops, ", ")));
 }
 
 void RouteSide::print_json() const {

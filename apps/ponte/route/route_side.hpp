@@ -41,7 +41,6 @@ class RouteSide final : public transport::LinkHandler, private mavlink::FrameSin
   bool enter(Timestamp now, transport::PeerId peer);
   void end(transport::PeerId peer);
   void wait_for_silence();
-  [[nodiscard]] std::string describe(const mavlink::RouteCounters& counters) const;
 
   LiveRouter& owner_;
   transport::Endpoint endpoint_;

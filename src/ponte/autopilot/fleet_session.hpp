@@ -98,11 +98,13 @@ class FleetSession {
   struct Link {
     LinkId id{};
     mavlink::Version version{};
+    bool has_signed{};
     std::uint8_t sequence{};
   };
 
   Vehicle* find(mavlink::SystemId system);
   Link* find(LinkId link);
+  static void note_version(Link& link, const mavlink::FrameView& frame);
   bool on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
                     Outbox<FleetFact>& facts);
   void on_system_time(Timestamp now, Vehicle& vehicle, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
