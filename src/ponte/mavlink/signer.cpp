@@ -3,8 +3,10 @@
 #include "ponte/core/assert.hpp"
 #include "ponte/mavlink/crc.hpp"
 
+// The functions that newer OpenSSL replaces by others, which allocate memory for every hash.
+#define OPENSSL_API_COMPAT 0x10100000L
 #include <openssl/crypto.h>
-#include <openssl/evp.h>
+#include <openssl/sha.h>
 
 #include <algorithm>
 #include <cstring>
@@ -53,25 +55,15 @@ std::string_view name_of(SignatureVerdict verdict) {
   return {};
 }
 
-void Signer::DigestDeleter::operator()(evp_md_st* digest) const { EVP_MD_free(digest); }
-void Signer::DigestDeleter::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
-
-Signer::Signer(const SigningKey& key, SigningTime stored)
-    : digest_{EVP_MD_fetch(nullptr, "SHA256", nullptr)}, context_{EVP_MD_CTX_new()}, time_{stored} {
-  PONTE_ASSERT(digest_ && context_);
-  std::ranges::copy(key.secret(), hashed_.begin());
-}
-Signer::~Signer() { wipe(hashed_); }
-
 void Signer::advance(WallTime now) { time_ = std::max(time_, signing_time_from(now)); }
 
-std::array<std::byte, Signer::hash_size> Signer::hash_of(Bytes frame_without_hash) {
-  std::memcpy(&hashed_[SigningKey::size], frame_without_hash.data(), frame_without_hash.size());
-  std::array<unsigned char, EVP_MAX_MD_SIZE> hash{};
-  const auto done =
-      EVP_DigestInit_ex(context_.get(), digest_.get(), nullptr) == 1 &&
-      EVP_DigestUpdate(context_.get(), hashed_.data(), SigningKey::size + frame_without_hash.size()) == 1 &&
-      EVP_DigestFinal_ex(context_.get(), hash.data(), nullptr) == 1;
+std::array<std::byte, Signer::hash_size> Signer::hash_of(Bytes frame_without_hash) const {
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> hash{};
+  SHA256_CTX context;
+  const auto done = SHA256_Init(&context) == 1 &&
+                    SHA256_Update(&context, key_.secret().data(), key_.secret().size()) == 1 &&
+                    SHA256_Update(&context, frame_without_hash.data(), frame_without_hash.size()) == 1 &&
+                    SHA256_Final(hash.data(), &context) == 1;
   PONTE_ASSERT(done);
   std::array<std::byte, hash_size> result{};
   std::memcpy(result.data(), hash.data(), result.size());

@@ -9,11 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string_view>
-
-struct evp_md_st;
-struct evp_md_ctx_st;
 
 /// Signatures of MAVLink 2: who sends a frame knows the key, and has not sent it before. They hide nothing.
 namespace ponte::mavlink {
@@ -50,8 +46,7 @@ class Signer {
   static constexpr std::uint64_t new_stream_window = 6'000'000;
 
   /// `stored` is the time that a signer with this key had at its end, or zero.
-  Signer(const SigningKey& key, SigningTime stored);
-  ~Signer();
+  Signer(const SigningKey& key, SigningTime stored) : key_{key}, time_{stored} {}
   Signer(const Signer&) = delete;
   Signer& operator=(const Signer&) = delete;
 
@@ -71,19 +66,12 @@ class Signer {
     std::uint32_t sender{};  ///< system, component, link id
     SigningTime newest{};
   };
-  struct DigestDeleter {
-    void operator()(evp_md_st* digest) const;
-    void operator()(evp_md_ctx_st* context) const;
-  };
 
   void advance(WallTime now);
-  [[nodiscard]] std::array<std::byte, hash_size> hash_of(Bytes frame_without_hash);
+  [[nodiscard]] std::array<std::byte, hash_size> hash_of(Bytes frame_without_hash) const;
   [[nodiscard]] SignatureVerdict remember(std::uint32_t sender, SigningTime time);
 
-  // The key and, behind it, the frame that is being hashed.
-  std::array<std::byte, SigningKey::size + max_frame_size> hashed_{};
-  std::unique_ptr<evp_md_st, DigestDeleter> digest_;
-  std::unique_ptr<evp_md_ctx_st, DigestDeleter> context_;
+  SigningKey key_;
   SigningTime time_;
   std::array<Stream, stream_limit> streams_{};
   std::size_t stream_count_{};
