@@ -299,3 +299,16 @@ def test_a_recording_of_ardupilot_verifies(ponte: Path, key_file: Path, reposito
         if line["kind"] == "signatures"
     }
     assert found == expected
+
+
+def test_frames_whose_signature_is_not_right_are_not_translated(ponte: Path, key_file: Path, tmp_path: Path) -> None:
+    start_us = int(time.time() * 1e6)
+    judge, forger = signing_link(KEY, 1, 1), signing_link(WRONG_KEY, 1, 1)
+    heartbeat = dialect.MAVLink_heartbeat_message(2, 3, 81, 0, 3, 3)
+    attitudes = [dialect.MAVLink_attitude_message(1000 * n, roll, 0, 0, 0, 0, 0) for n, roll in ((1, 0.1), (2, 0.2))]
+    frames = [heartbeat.pack(judge), attitudes[0].pack(judge), attitudes[1].pack(forger)]
+    log = tmp_path / "signed.tlog"
+    tlog.write_log(log, [(start_us + n, frame) for n, frame in enumerate(frames)])
+    for options, count in (([], 2), (["--signing-key", key_file], 1)):
+        lines = list(json_objects([ponte, "translate", log, "--json", "--quiet", *options]))
+        assert sum("roll" in line["fields"] for line in lines) == count

@@ -13,7 +13,7 @@ namespace ponte::mavlink {
 /// After a pause two may come together.
 class RateLimit {
  public:
-  /// Senders that are told apart at a time. While all of them are busy, further ones are let through never.
+  /// Senders that are told apart at a time. While all of them are busy, further ones are never let through.
   static constexpr std::size_t sender_limit = 64;
 
   /// `pause` between two; nothing: none gets through.
