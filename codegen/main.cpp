@@ -2,6 +2,7 @@
 #include "codegen/dli_reader.hpp"
 #include "codegen/emit.hpp"
 #include "codegen/mavlink_reader.hpp"
+#include "codegen/names.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@ namespace {
 
 struct Options {
   std::filesystem::path input;
+  std::string name;
   std::filesystem::path output;
   std::filesystem::path reference;
   std::filesystem::path digest;
@@ -30,7 +32,8 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 }
 
 void generate_mavlink(const Options& options) {
-  const auto protocol = read_mavlink(options.input, options.search_path);
+  auto protocol = read_mavlink(options.input, options.search_path);
+  if (!options.name.empty()) protocol.name = options.name;
   if (!options.new_digest.empty()) write_text(options.new_digest, digest_of(protocol));
   if (!options.digest.empty()) check_digest(protocol, options.digest);
   if (!options.output.empty()) write_files(emit_mavlink(protocol, !options.bare), options.output);
@@ -53,6 +56,10 @@ int main(int argc, char** argv) {
 
   auto* mavlink = app.add_subcommand("mavlink", "A MAVLink XML dialect");
   mavlink->add_option("--input", options.input, "The dialect's XML file")->required();
+  mavlink->add_option("--name", options.name, "Name of the dialect and its namespace; default: that of the file")
+      ->check(CLI::Validator{
+          [](const std::string& name) { return is_identifier(name) ? "" : "'" + name + "' is not an identifier"; },
+          "IDENTIFIER"});
   mavlink->add_option("--include-dir", options.search_path, "Where included files are looked for");
   mavlink->add_option("--output", options.output, "Folder for the generated files");
   mavlink->add_option("--digest", options.digest, "Table that the messages must agree with");
