@@ -1,6 +1,6 @@
 #include "codegen/emit.hpp"
 
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 

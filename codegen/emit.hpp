@@ -1,10 +1,12 @@
 #pragma once
 
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
 #include <map>
 
 namespace ponte::codegen {
+
+using namespace definitions;
 
 /// Texts of generated files by their path below the output folder.
 using Files = std::map<std::filesystem::path, std::string>;

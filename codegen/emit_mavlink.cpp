@@ -1,5 +1,5 @@
 #include "codegen/emit.hpp"
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 
@@ -51,11 +51,10 @@ std::string comment(const Field& field, bool descriptions) {
 std::string field_table(const Message& message) {
   std::string rows;
   for (const auto& field : message.fields)
-    rows +=
-        fmt::format("      {{{}, FieldType::{}, {}, {}, {}, {}, {}, {}{}}},\n", literal(field.name),
-                    field_type_name(field), field.count, field.offset, field.extension, literal(field.unit),
-                    literal(field.invalid), field.enumeration.empty() ? "nullptr" : "&enum_info::" + field.enumeration,
-                    field.instance ? ", true" : "");
+    rows += fmt::format(
+        "      {{{}, FieldType::{}, {}, {}, {}, {}, {}, {}{}}},\n", literal(field.name), field_type_name(field),
+        field.count, field.offset, field.extension, literal(field.unit), literal(field.invalid),
+        field.enumeration.empty() ? "nullptr" : "&enum_info::" + field.enumeration, field.instance ? ", true" : "");
   return rows;
 }
 

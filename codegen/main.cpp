@@ -1,8 +1,8 @@
 #include "codegen/digest.hpp"
 #include "codegen/dli_reader.hpp"
 #include "codegen/emit.hpp"
-#include "codegen/mavlink_reader.hpp"
-#include "codegen/names.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

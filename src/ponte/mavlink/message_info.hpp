@@ -80,6 +80,13 @@ struct MessageInfo {
   std::uint8_t base_length;           ///< payload bytes without extensions: the whole of a MAVLink 1 payload
   std::uint8_t full_length;           ///< payload bytes with extensions, before MAVLink 2 drops trailing zeros
   std::span<const FieldInfo> fields;  ///< in the order of the definition
+
+  /// The field with this name, or nothing.
+  [[nodiscard]] constexpr const FieldInfo* find(std::string_view wanted) const {
+    for (const auto& field : fields)
+      if (field.name == wanted) return &field;
+    return nullptr;
+  }
 };
 
 /// A generated message: a plain struct with its table, whose fields can be visited with their descriptions.
@@ -105,6 +112,12 @@ struct Dialect {
         last = middle;
     }
     return first < messages.size() && messages[first]->id == id ? messages[first] : nullptr;
+  }
+  /// The message with this name, e.g. "HEARTBEAT", or nothing. Looks at one after the other.
+  [[nodiscard]] constexpr const MessageInfo* find(std::string_view wanted) const {
+    for (const auto* message : messages)
+      if (message->name == wanted) return message;
+    return nullptr;
   }
 };
 

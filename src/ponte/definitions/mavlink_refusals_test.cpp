@@ -1,9 +1,9 @@
-#include "codegen/mavlink_reader.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <fmt/format.h>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 std::string refusal(std::string_view text) {
@@ -157,4 +157,4 @@ TEST(MavlinkRefusals, NameTheMessageThatAnExtensionMisses) {
 }
 
 }  // namespace
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

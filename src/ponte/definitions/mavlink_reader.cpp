@@ -1,6 +1,6 @@
-#include "codegen/mavlink_reader.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
 
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -11,7 +11,7 @@
 #include <numeric>
 #include <set>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 constexpr std::size_t largest_payload = 255;
@@ -364,4 +364,4 @@ Protocol read_mavlink_text(std::string_view text, const std::filesystem::path& n
   return reader.finish(dialect_name(name));
 }
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions
