@@ -42,6 +42,12 @@ void for_each_message(F&& f) {{
                      generated_notice, includes, name_space, id_type, cases, calls, name_space);
 }
 
+std::string table_cell(std::string_view written) {
+  auto text = one_line(written);
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+  return text;
+}
+
 std::string unsigned_type_for(std::uint64_t largest) {
   for (const unsigned bits : {8U, 16U, 32U})
     if (largest >> bits == 0) return fmt::format("std::uint{}_t", bits);

@@ -37,6 +37,7 @@ void generate_mavlink(const Options& options) {
   if (!options.new_digest.empty()) write_text(options.new_digest, digest_of(protocol));
   if (!options.digest.empty()) check_digest(protocol, options.digest);
   if (!options.output.empty()) write_files(emit_mavlink(protocol, !options.bare), options.output);
+  if (!options.reference.empty()) write_text(options.reference, emit_mavlink_reference(protocol, !options.bare));
 }
 
 void generate_dli(const Options& options) {
@@ -62,6 +63,7 @@ int main(int argc, char** argv) {
           "IDENTIFIER"});
   mavlink->add_option("--include-dir", options.search_path, "Where included files are looked for");
   mavlink->add_option("--output", options.output, "Folder for the generated files");
+  mavlink->add_option("--reference", options.reference, "Markdown page of all messages");
   mavlink->add_option("--digest", options.digest, "Table that the messages must agree with");
   mavlink->add_option("--write-digest", options.new_digest, "Write that table anew");
   mavlink->add_flag("--no-descriptions", options.bare, "Leave out the texts of the definition");

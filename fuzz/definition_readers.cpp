@@ -28,6 +28,7 @@ void read_and_emit_mavlink(std::string_view text, bool descriptions) {
     if (message.full_length > 255 || message.base_length > message.full_length) std::abort();
   // One header per message and five files more: no message has replaced another file.
   if (emit_mavlink(protocol, descriptions).size() != protocol.messages.size() + 5) std::abort();
+  if (emit_mavlink_reference(protocol, descriptions).empty()) std::abort();
 }
 
 /// Every message of the dialect, with the same byte everywhere, becomes JSON and comes back.

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -70,7 +71,9 @@ class Dispatcher final : public FrameSink {
 
   static MessageId id_of(const std::unique_ptr<Subject>& subject) { return subject->info->id; }
 
-  [[nodiscard]] auto subjects_with(MessageId id) const { return std::ranges::equal_range(subjects_, id, {}, id_of); }
+  [[nodiscard]] std::span<const std::unique_ptr<Subject>> subjects_with(MessageId id) const {
+    return std::ranges::equal_range(subjects_, id, {}, id_of);
+  }
 
   template <Message M>
   SubjectOf<M>& subject_of() {

@@ -42,7 +42,7 @@ TEST(Dispatcher, HandsOutDecodedMessagesInTheOrderOfTheRequests) {
 }
 
 TEST(Dispatcher, LeavesOutTheExtensionsOfAVersion1Frame) {
-  const Statustext sent{.severity = 6, .text = "abc", .id = 7};
+  const Statustext sent{.severity = 6, .text = std::string_view{"abc"}, .id = 7};
   std::array<std::byte, max_frame_size> out{};
   std::vector<std::uint16_t> ids;
   Dispatcher dispatcher;
