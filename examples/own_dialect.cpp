@@ -14,7 +14,7 @@ int main() {
 
   const Lamp lamp{.state = mavlink::lamps::LAMP_STATE_ON, .temperature = 41.5F};
   std::array<std::byte, mavlink::max_frame_size> buffer{};
-  const auto size = encode(lamp, {.system = mavlink::SystemId{9}}, buffer);
+  const auto size = mavlink::encode(lamp, {.system = mavlink::SystemId{9}}, buffer);
   if (!size) return 1;
   const auto bytes = Bytes{buffer}.first(*size);
   std::printf("%s\n", to_hex(bytes).c_str());

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   const mavlink::FrameHeader header{
       .system = mavlink::SystemId{1}, .component = mavlink::ComponentId{MAV_COMP_ID_ONBOARD_COMPUTER}, .sequence = 0};
   std::array<std::byte, mavlink::max_frame_size> frame{};
-  const auto size = encode(heartbeat, header, frame);
+  const auto size = mavlink::encode(heartbeat, header, frame);
   if (!size) return 1;  // the message does not exist in the version of the header
 
   sockaddr_in address{};
