@@ -129,7 +129,7 @@ def test_describe_message(example: Callable[[str], Path], prefix: Path) -> None:
     program = example("describe_message")
     known = run([program, EXAMPLES / "lamps.xml", "LAMP", prefix / "share" / "ponte" / "mavlink"])
     assert known.stdout.splitlines() == [
-        "LAMP, id 50001, 5 bytes", "  state [] LAMP_STATE_OFF LAMP_STATE_ON", "  temperature [degC]",
+        "LAMP, id 60001, 5 bytes", "  state [] LAMP_STATE_OFF LAMP_STATE_ON", "  temperature [degC]",
     ]  # fmt: skip
     lost = run([program, EXAMPLES / "lamps.xml", "LAMP"])
     assert (lost.returncode, lost.stdout) == (1, f"{EXAMPLES}/lamps.xml:3: included file 'minimal.xml' was not found\n")

@@ -21,7 +21,7 @@ OWN_XML = """<mavlink>
   </messages>
 </mavlink>
 """
-LAMP = 50001
+LAMP = 60001
 ATTITUDE = 30
 
 
@@ -40,6 +40,12 @@ def lamp_frame(message_id: int, sequence: int) -> bytes:
     return frame(message_id, sequence, struct.pack("<fB", 41.5, 1), folded(b"LAMP float heat uint8_t state "))
 
 
+def write_tlog(path: Path, *frames: bytes) -> Path:
+    start_us = 1_700_000_000_000_000
+    path.write_bytes(b"".join(struct.pack(">Q", start_us + index) + frame for index, frame in enumerate(frames)))
+    return path
+
+
 @pytest.fixture
 def own_xml(tmp_path: Path) -> Path:
     path = tmp_path / "lamps.xml"
@@ -47,8 +53,8 @@ def own_xml(tmp_path: Path) -> Path:
     return path
 
 
-def messages_of(ponte: Path, stream: Path, *options: str | Path) -> list[dict]:
-    done = run([ponte, "inspect", stream, "--messages", *options])
+def messages_of(ponte: Path, log: Path, *options: str | Path) -> list[dict]:
+    done = run([ponte, "inspect", log, "--messages", *options])
     assert done.returncode == 0, done.stderr
     return [parse_json(line) for line in done.stdout.splitlines()]
 
@@ -56,36 +62,38 @@ def messages_of(ponte: Path, stream: Path, *options: str | Path) -> list[dict]:
 def test_inspect_knows_the_messages_of_the_file_and_ours(ponte: Path, own_xml: Path, tmp_path: Path) -> None:
     link = ardupilotmega.MAVLink(None, srcSystem=1, srcComponent=1)
     attitude = bytes(ardupilotmega.MAVLink_attitude_message(5, 0.25, 0, 0, 0, 0, 0).pack(link))
-    stream = tmp_path / "stream"
-    stream.write_bytes(lamp_frame(LAMP, 1) + attitude)
+    log = write_tlog(tmp_path / "log", lamp_frame(LAMP, 1), attitude)
 
-    lamp, known = messages_of(ponte, stream, "--dialect", own_xml)
+    lamp, known = messages_of(ponte, log, "--dialect", own_xml)
     assert (lamp["name"], lamp["fields"], lamp["labels"]) == ("LAMP", {"state": 1, "heat": 41.5}, {"state": "LIGHT_ON"})
     assert (known["name"], known["fields"]["roll"]) == ("ATTITUDE", 0.25)
 
-    unknown, _ = messages_of(ponte, stream)
+    unknown, _ = messages_of(ponte, log)
     assert (unknown["name"], unknown["payload"]) == (f"unknown:{LAMP}", struct.pack("<fB", 41.5, 1).hex())
 
 
 def test_a_damaged_frame_of_an_own_message_is_damage(ponte: Path, own_xml: Path, tmp_path: Path) -> None:
     damaged = bytearray(lamp_frame(LAMP, 1))
     damaged[12] ^= 1
-    stream = tmp_path / "stream"
-    stream.write_bytes(bytes(damaged) + lamp_frame(LAMP, 2))
-    (lamp,) = messages_of(ponte, stream, "--dialect", own_xml)
+    log = write_tlog(tmp_path / "log", bytes(damaged), lamp_frame(LAMP, 2))
+    (lamp,) = messages_of(ponte, log, "--dialect", own_xml)
     assert lamp["sequence"] == 2
 
 
 def test_translate_does_not_take_an_own_message_for_one_it_knows(ponte: Path, own_xml: Path, tmp_path: Path) -> None:
     own_xml.write_text(OWN_XML.format(id=ATTITUDE))
-    stream = tmp_path / "stream"
     link = ardupilotmega.MAVLink(None, srcSystem=1, srcComponent=1)
     heartbeat = bytes(ardupilotmega.MAVLink_heartbeat_message(2, 3, 81, 4, 3, 3).pack(link))
-    stream.write_bytes(heartbeat + lamp_frame(ATTITUDE, 1))
-    done = run([ponte, "translate", stream, "--json", "--dialect", own_xml])
-    assert done.returncode == 0, done.stderr
-    assert 4000 not in {parse_json(line)["number"] for line in done.stdout.splitlines()}
-    assert "read        2 frames of 2 message types" in done.stderr
+    attitude = bytes(ardupilotmega.MAVLink_attitude_message(5, 0.25, 0, 0, 0, 0, 0).pack(link))
+
+    def inertial_states(second: bytes, *options: str | Path) -> int:
+        done = run([ponte, "translate", write_tlog(tmp_path / "log", heartbeat, second), "--json", *options])
+        assert done.returncode == 0, done.stderr
+        assert "read        2 frames of 2 message types" in done.stderr
+        return [parse_json(line)["number"] for line in done.stdout.splitlines()].count(4000)
+
+    assert inertial_states(attitude) == 1
+    assert inertial_states(lamp_frame(ATTITUDE, 1), "--dialect", own_xml) == 0
 
 
 @pytest.mark.parametrize("command", ["inspect", "translate"])

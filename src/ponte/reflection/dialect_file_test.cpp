@@ -20,7 +20,7 @@ constexpr std::string_view own_dialect = R"(<mavlink>
     <enum name="LIGHT"><entry name="LIGHT_OFF" value="0"/><entry name="LIGHT_ON" value="1"/></enum>
   </enums>
   <messages>
-    <message id="50001" name="LAMP">
+    <message id="60001" name="LAMP">
       <field type="uint8_t" name="state" enum="LIGHT">On or off</field>
       <field type="float" name="temperature" units="degC" invalid="NaN">Of the lamp</field>
       <field type="uint16_t[3]" name="colour" instance="true">Red, green, blue</field>
@@ -114,7 +114,7 @@ TEST(ParseDialect, RefusesWithFileLineAndReason) {
 }
 
 TEST(MessagesOf, PrefersTheFirstDialectAndStaysInOrder) {
-  const auto own = parse_dialect(definitions::replaced(own_dialect, "50001", "30"), "lamps.xml");
+  const auto own = parse_dialect(definitions::replaced(own_dialect, "60001", "30"), "lamps.xml");
   const auto both = messages_of(own.dialect(), mavlink::autopilots::dialect);
   EXPECT_EQ(both.size(), mavlink::autopilots::dialect.messages.size());
   const mavlink::Dialect dialect{"both", both};
