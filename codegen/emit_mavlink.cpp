@@ -48,13 +48,14 @@ std::string comment(const Field& field, bool descriptions) {
   return text.empty() ? "" : "  ///< " + one_line(text);
 }
 
-std::string field_table(const Message& message) {
+std::string field_table(const Message& message, bool big_endian) {
   std::string rows;
   for (const auto& field : message.fields)
     rows += fmt::format(
-        "      {{{}, FieldType::{}, {}, {}, {}, {}, {}, {}{}}},\n", literal(field.name), field_type_name(field),
+        "      {{{}, FieldType::{}, {}, {}, {}, {}, {}, {}{}{}}},\n", literal(field.name), field_type_name(field),
         field.count, field.offset, field.extension, literal(field.unit), literal(field.invalid),
-        field.enumeration.empty() ? "nullptr" : "&enum_info::" + field.enumeration, field.instance ? ", true" : "");
+        field.enumeration.empty() ? "nullptr" : "&enum_info::" + field.enumeration,
+        field.instance || big_endian ? fmt::format(", {}", field.instance) : "", big_endian ? ", true" : "");
   return rows;
 }
 
@@ -102,8 +103,9 @@ namespace ponte::mavlink::{dialect} {{
       fmt::arg("notice", generated_notice), fmt::arg("includes", includes), fmt::arg("dialect", protocol.name),
       fmt::arg("type", pascal_case(message.key)),
       fmt::arg("description", descriptions && !message.note.empty() ? "/// " + message.note + "\n" : std::string{}),
-      fmt::arg("members", members), fmt::arg("count", message.fields.size()), fmt::arg("rows", field_table(message)),
-      fmt::arg("id", message.number), fmt::arg("name", literal(message.name)), fmt::arg("crc_extra", message.crc_extra),
+      fmt::arg("members", members), fmt::arg("count", message.fields.size()),
+      fmt::arg("rows", field_table(message, protocol.v09)), fmt::arg("id", message.number),
+      fmt::arg("name", literal(message.name)), fmt::arg("crc_extra", message.crc_extra),
       fmt::arg("base_length", message.base_length), fmt::arg("full_length", message.full_length),
       fmt::arg("visits", visits));
 }

@@ -38,7 +38,7 @@ void use_at_once(std::string_view text, std::byte byte) {
     std::array<std::byte, ponte::mavlink::max_payload_size> payload{};
     std::fill_n(payload.begin(), message->full_length, byte);
     ponte::JsonText json;
-    json.begin_object().member("id", message->id.value).key("fields");
+    json.begin_object().member("name", message->name).key("fields");
     append_fields(json, *message, ponte::Bytes{payload}.first(message->full_length));
     append_labels(json, *message, ponte::Bytes{payload}.first(message->full_length));
     json.end_object();

@@ -2,8 +2,8 @@
 // are repaired a second time, which makes frames overlap; the second chooses the sizes of the pieces in which the rest
 // arrives.
 
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/assert.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/mavlink/parser.hpp"
 #include "repair_checksums.hpp"
 
@@ -28,7 +28,7 @@ struct Checker : FrameSink {
   explicit Checker(Bytes fed) : stream{fed} {}
 
   void on_frame(const FrameView& frame, const MessageInfo* message) override {
-    PONTE_ASSERT(message == autopilots::dialect.find(frame.message));
+    PONTE_ASSERT(message == find_message(autopilot::dialect, frame));
     PONTE_ASSERT(message == nullptr || checksum_matches(frame, message->crc_extra));
     PONTE_ASSERT(message != nullptr || shared == 0);
     PONTE_ASSERT(frame.whole.size() > shared);
@@ -81,19 +81,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (input.size() < 2) return 0;
   std::vector<std::byte> stream(input.begin() + 2, input.end());
   if ((u8(input, 0) & 1U) != 0) {
-    repair_checksums(stream, autopilots::dialect);
+    repair_checksums(stream, autopilot::dialect);
     const std::size_t second = u8(input, 0) / 2U;
     if (second > 0 && second < stream.size())
-      repair_checksums(MutableBytes{stream}.subspan(second), autopilots::dialect);
+      repair_checksums(MutableBytes{stream}.subspan(second), autopilot::dialect);
   }
 
-  Parser whole{autopilots::dialect};
+  Parser whole{autopilot::dialect};
   Checker in_one_piece{stream};
   whole.on_bytes(Timestamp{}, stream, in_one_piece);
   whole.finish(in_one_piece);
   check_accounts(whole, in_one_piece);
 
-  Parser parser{autopilots::dialect};
+  Parser parser{autopilot::dialect};
   Checker in_pieces{stream};
   std::uint32_t state = u8(input, 1);
   for (std::size_t at = 0; at < stream.size();) {
@@ -107,12 +107,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   PONTE_ASSERT(in_pieces.frames == in_one_piece.frames);
   PONTE_ASSERT(parser.counters() == whole.counters());
 
-  Parser of_datagrams{autopilots::dialect};
+  Parser of_datagrams{autopilot::dialect};
   Checker datagram{stream};
   of_datagrams.on_datagram(stream, datagram);
   check_accounts(of_datagrams, datagram);
 
-  Parser with_silence{autopilots::dialect};
+  Parser with_silence{autopilot::dialect};
   Checker silent{stream};
   Timestamp now{};
   for (std::size_t at = 0; at < stream.size();) {

@@ -37,16 +37,25 @@ def probe() -> Callable[[str], Path]:
 
 
 @pytest.fixture
-def start_vsm(ponte: Path) -> Iterator[Callable[..., None]]:
-    """Starts the VSM between two endpoints, and ends it after the test."""
+def start_ponte(ponte: Path) -> Iterator[Callable[..., None]]:
+    """Starts ponte with these arguments, and ends it after the test."""
     running: list[subprocess.Popen[bytes]] = []
 
-    def start(vehicle: str, dli: str, *options: str) -> None:
-        command = [ponte, "vsm", "--vehicle", vehicle, "--dli", dli, "--every-sample", "--listen-only", *options]
-        running.append(subprocess.Popen([str(part) for part in command]))
+    def start(*arguments: str) -> None:
+        running.append(subprocess.Popen([str(ponte), *arguments]))
 
     yield start
     for process in running:
-        assert process.poll() is None, f"the VSM has ended by itself with {process.returncode}"
+        assert process.poll() is None, f"{process.args} has ended by itself with {process.returncode}"
         process.terminate()
         assert process.wait(HANG_LIMIT_S) == 0
+
+
+@pytest.fixture
+def start_vsm(start_ponte: Callable[..., None]) -> Callable[..., None]:
+    """Starts the VSM between two endpoints. It sends nothing to vehicles."""
+
+    def start(vehicle: str, dli: str, *options: str) -> None:
+        start_ponte("vsm", "--vehicle", vehicle, "--dli", dli, "--every-sample", "--listen-only", *options)
+
+    return start

@@ -1,8 +1,8 @@
 #include "common/dialect_option.hpp"
 
 #include "common/failure.hpp"
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/definitions/model.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 
 #include <filesystem>
 #include <system_error>
@@ -35,11 +35,19 @@ void add_dialect_option(CLI::App& command, std::string& file) {
                      "MAVLink XML with messages of your own; it may include common.xml and the like");
 }
 
-ChosenDialect::ChosenDialect(const std::string& file) : dialect_{mavlink::autopilots::dialect} {
+ChosenDialect::ChosenDialect(const std::string& file) : dialect_{autopilot::dialect} {
   if (file.empty()) return;
   own_.emplace(load(file));
-  messages_ = reflection::messages_of(own_->dialect(), mavlink::autopilots::dialect);
-  dialect_ = {own_->dialect().name, messages_};
+  const auto& own = own_->dialect();
+  dialect_.name = own.name;
+  if (own.is_v09()) {
+    messages_ = reflection::messages_of(own, *autopilot::dialect.v09);
+    v09_ = {own.name, messages_};
+    dialect_.v09 = &v09_;
+  } else {
+    messages_ = reflection::messages_of(own, autopilot::dialect);
+    dialect_.messages = messages_;
+  }
 }
 
 }  // namespace ponte::app

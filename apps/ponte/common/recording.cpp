@@ -2,7 +2,7 @@
 
 #include "common/failure.hpp"
 #include "common/load_file.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
+#include "ponte/autopilot/dialect.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace ponte::app {
 
 Recording::Recording(const std::string& path) {
   const auto file = load_file(path);
-  read_capture(file.bytes, mavlink::autopilots::dialect, *this);
+  read_capture(file.bytes, autopilot::dialect, *this);
   if (first_damage_.empty()) first_damage_ = file.damage;
   if (entries_.empty())
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes{}{}", path, file.bytes.size(),

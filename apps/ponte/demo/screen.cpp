@@ -48,7 +48,7 @@ Lines mavlink_side(const AttitudePair& pair) {
   PONTE_ASSERT(frame.has_value());
   Lines lines;
   lines.push_back(fmt::format("ATTITUDE (#{}), MAVLink {}, {} bytes", frame->message.value,
-                              static_cast<int>(frame->version), frame->whole.size()));
+                              to_text(frame->version), frame->whole.size()));
   lines.push_back(fmt::format("system {}, component {}, sequence {}", frame->system.value, frame->component.value,
                               frame->sequence));
   lines.emplace_back("header");

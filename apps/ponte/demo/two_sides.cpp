@@ -40,7 +40,7 @@ bool has_attitude(const vsm::OutgoingMessage& message, const dli::Profile& profi
 
 void TwoSides::on_crossing(const vsm::Crossing& crossing) {
   ++counts_.frames;
-  if (crossing.frame.message != Attitude::info.id) return;
+  if (!mavlink::carries<Attitude>(crossing.frame)) return;
   ++counts_.attitudes;
   const auto attitude = mavlink::decode<Attitude>(crossing.frame);
   AttitudePair pair{.frame = {crossing.frame.whole.begin(), crossing.frame.whole.end()},

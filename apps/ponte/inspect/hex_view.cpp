@@ -18,8 +18,7 @@ bool is_text(std::byte byte) {
 }
 
 bool is_start_byte(std::byte byte) {
-  constexpr std::byte start_v09{0x55};
-  return byte == mavlink::start_v2 || byte == mavlink::start_v1 || byte == start_v09;
+  return byte == mavlink::start_v2 || byte == mavlink::start_v1 || byte == mavlink::start_v0_9;
 }
 
 /// The start bytes among `bytes`, e.g. "start bytes 0xFD 0xFE"; empty if there are none.

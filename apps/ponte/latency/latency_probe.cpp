@@ -18,7 +18,7 @@ LatencyProbe::LatencyProbe(transport::Loop& loop, const dli::Profile& profile, O
       timer_{loop, [this](Timestamp) { present_all(); }} {}
 
 void LatencyProbe::take(const vsm::Crossing& crossing) {
-  if (crossing.frame.message != mavlink::autopilots::Attitude::info.id) return;
+  if (!mavlink::carries<mavlink::autopilots::Attitude>(crossing.frame)) return;
   const auto inertial_states = std::ranges::find_if(crossing.messages, [&](const vsm::OutgoingMessage& message) {
     return view_of(message, profile_).number == dli::messages::InertialStates::info.number;
   });

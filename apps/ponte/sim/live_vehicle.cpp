@@ -1,8 +1,8 @@
 #include "sim/live_vehicle.hpp"
 
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/command_long.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/codec.hpp"
 
@@ -51,7 +51,7 @@ void LiveVehicle::arm(Timestamp now, mavlink::SystemId target) {
                                     pilot, buffer);
   PONTE_ASSERT(size.has_value());
   Receiver receiver{vehicle_, simulated(now), out_};
-  mavlink::Parser parser{mavlink::autopilots::dialect};
+  mavlink::Parser parser{autopilot::dialect};
   parser.on_datagram(Bytes{buffer}.first(*size), receiver);
   send();
 }
@@ -62,7 +62,7 @@ Timestamp LiveVehicle::simulated(Timestamp now) const {
 
 mavlink::Parser& LiveVehicle::parser_of(transport::PeerId peer) {
   auto& parser = parsers_[peer];
-  if (!parser) parser = std::make_unique<mavlink::Parser>(mavlink::autopilots::dialect);
+  if (!parser) parser = std::make_unique<mavlink::Parser>(autopilot::dialect);
   return *parser;
 }
 

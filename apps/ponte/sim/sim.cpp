@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -19,7 +20,7 @@ namespace {
 struct Options {
   std::string endpoint{"udpout://127.0.0.1:14550"};
   std::string pty;
-  unsigned mavlink{2};
+  mavlink::Version version{mavlink::Version::v2};
   unsigned system{1};
   std::string home;
   double speedup{1};
@@ -52,7 +53,7 @@ sim::Position position_from(const std::string& text) {
 void run(const Options& options) {
   sim::VehicleConfig config;
   config.system = mavlink::SystemId{static_cast<std::uint8_t>(options.system)};
-  config.version = options.mavlink == 1 ? mavlink::Version::v1 : mavlink::Version::v2;
+  config.version = options.version;
   config.seed = options.seed;
   config.power_on = transport::Loop::wall();
   if (!options.home.empty()) config.start = position_from(options.home);
@@ -63,7 +64,7 @@ void run(const Options& options) {
                                   : transport::open_pty(loop, options.pty, vehicle);
   if (!link) throw Failure{transport::to_text(link.error())};
   make_log(options.log)
-      ->info("a copter, system {}, speaks MAVLink {} on {}", options.system, options.mavlink,
+      ->info("a copter, system {}, speaks MAVLink {} on {}", options.system, to_text(options.version),
              options.pty.empty() ? options.endpoint : options.pty);
   vehicle.attach(std::move(*link));
   if (options.arm_after_s)
@@ -80,9 +81,13 @@ void add_sim(CLI::App& app) {
   auto* endpoint = command->add_option("--endpoint", options->endpoint, "Where it speaks")->capture_default_str();
   command->add_option("--pty", options->pty, "Make a serial port of this name instead, e.g. /tmp/ttyVehicle")
       ->excludes(endpoint);
-  command->add_option("--mavlink", options->mavlink, "Version on the wire")
-      ->check(CLI::IsMember({1U, 2U}))
-      ->capture_default_str();
+  command->add_option("--mavlink", options->version, "Version on the wire: 0.9, 1 or 2")
+      ->transform(CLI::CheckedTransformer{
+          std::map<std::string, mavlink::Version>{
+              {"0.9", mavlink::Version::v0_9}, {"1", mavlink::Version::v1}, {"2", mavlink::Version::v2}},
+          CLI::ignore_case}
+                      .description("{0.9,1,2}"))
+      ->default_str("2");
   command->add_option("--system", options->system, "System id")->check(CLI::Range(1U, 255U))->capture_default_str();
   command->add_option("--home", options->home, "LAT,LON,ALT in degrees and metres above sea level");
   command->add_option("--speedup", options->speedup, "Times as fast as real time")

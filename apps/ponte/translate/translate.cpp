@@ -9,10 +9,10 @@
 #include "common/outgoing.hpp"
 #include "common/recorded_vsm.hpp"
 #include "common/vsm_options.hpp"
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/json_text.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
 #include "ponte/dli/pcap.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -86,8 +86,8 @@ class Translator final : public CaptureSink {
       return;
     }
     // A dialect of the user's may give the id another meaning; then the VSM must not take it for the one it knows.
-    const auto* ours = mavlink::autopilots::dialect.find(frame.message);
-    if (ours == nullptr || ours->crc_extra != message->crc_extra) return;
+    const auto* ours = find_message(autopilot::dialect, frame);
+    if (ours == nullptr || ours->crc_extra != message->crc_extra || ours->name != message->name) return;
     vsm.on_frame(time, frame, *ours, outbox_);
     drain();
   }

@@ -1,7 +1,7 @@
 #include "vsm/recording_side.hpp"
 
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/assert.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 
 namespace ponte::app {
 namespace {
@@ -29,7 +29,7 @@ void RecordingSide::on_datagram(Timestamp now, Bytes bytes, transport::PeerId) {
   const auto frame = mavlink::parse_frame(bytes);
   PONTE_ASSERT(frame.has_value());
   ++frames_;
-  const auto* message = mavlink::autopilots::dialect.find(frame->message);
+  const auto* message = find_message(autopilot::dialect, *frame);
   owner_.begin(id_, name_, replay_.record_time(), now);
   owner_.on_decoded(*frame, message);
   if (message != nullptr && owner_.converts())

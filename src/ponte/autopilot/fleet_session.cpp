@@ -1,6 +1,7 @@
 #include "ponte/autopilot/fleet_session.hpp"
 
 #include "ponte/autopilot/stream_requests.hpp"
+#include "ponte/autopilot/v09.hpp"
 #include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/attitude.hpp"
 #include "ponte/mavlink/autopilots/command_long.hpp"
@@ -10,6 +11,10 @@
 #include "ponte/mavlink/autopilots/system_time.hpp"
 #include "ponte/mavlink/autopilots/timesync.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/mavlink/v09/attitude.hpp"
+#include "ponte/mavlink/v09/enums.hpp"
+#include "ponte/mavlink/v09/heartbeat.hpp"
+#include "ponte/mavlink/v09/request_data_stream.hpp"
 
 #include <algorithm>
 
@@ -17,16 +22,12 @@ namespace ponte::autopilot {
 namespace {
 
 namespace messages = mavlink::autopilots;
+namespace messages_v09 = mavlink::v09;
 
 /// Messages overtake one another by less than this; a larger step back in the time since boot is a reboot.
 constexpr std::uint32_t largest_disorder_ms = 1000;
 /// SYSTEM_TIME comes about once a second; a larger step forward is another clock, or a long silence.
 constexpr std::uint32_t largest_jump_ms = 5000;
-
-template <mavlink::Message M>
-bool is(const mavlink::FrameView& frame) {
-  return frame.message == M::info.id;
-}
 
 }  // namespace
 
@@ -85,20 +86,34 @@ bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView
                             Outbox<FleetFact>& facts) {
   on_tick(now, out, facts);
   if (auto* peer = find(link)) peer->version = frame.version;
-  if (is<messages::Timesync>(frame)) answer_timesync(now, link, frame, out);
-  if (is<messages::Heartbeat>(frame)) return on_heartbeat(now, link, frame, out, facts);
+  if (mavlink::carries<messages::Timesync>(frame)) answer_timesync(now, link, frame, out);
+  if (const auto announcement = announcement_in(frame))
+    return on_heartbeat(now, link, frame, *announcement, out, facts);
 
   auto* vehicle = find(frame.system);
   if (vehicle == nullptr || vehicle->link != link || vehicle->component != frame.component) return false;
-  if (is<messages::SystemTime>(frame)) on_system_time(now, *vehicle, frame, out, facts);
-  if (is<messages::Attitude>(frame)) vehicle->last_attitude = now;
+  if (mavlink::carries<messages::SystemTime>(frame)) on_system_time(now, *vehicle, frame, out, facts);
+  if (mavlink::carries<messages::Attitude>(frame) || mavlink::carries<messages_v09::Attitude>(frame))
+    vehicle->last_attitude = now;
   return true;
 }
 
-bool FleetSession::on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
+std::optional<FleetSession::Announcement> FleetSession::announcement_in(const mavlink::FrameView& frame) {
+  if (mavlink::carries<messages::Heartbeat>(frame)) {
+    const auto heartbeat = mavlink::decode<messages::Heartbeat>(frame);
+    return Announcement{heartbeat.autopilot, heartbeat.type};
+  }
+  if (mavlink::carries<messages_v09::Heartbeat>(frame)) {
+    const auto heartbeat = mavlink::decode<messages_v09::Heartbeat>(frame);
+    return Announcement{v09::autopilot_of(heartbeat.autopilot), v09::airframe_of(heartbeat.type)};
+  }
+  return std::nullopt;
+}
+
+bool FleetSession::on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame,
+                                const Announcement& announcement, Outbox<OutgoingFrame>& out,
                                 Outbox<FleetFact>& facts) {
-  const auto heartbeat = mavlink::decode<messages::Heartbeat>(frame);
-  if (heartbeat.autopilot == messages::MAV_AUTOPILOT_INVALID || frame.system.value == 0) return false;
+  if (announcement.autopilot == messages::MAV_AUTOPILOT_INVALID || frame.system.value == 0) return false;
   const auto tell = [&](FleetFact::Kind kind) { facts.push({kind, frame.system, frame.component, link}); };
 
   auto* vehicle = find(frame.system);
@@ -121,9 +136,9 @@ bool FleetSession::on_heartbeat(Timestamp now, LinkId link, const mavlink::Frame
     vehicle->last_heartbeat = now;
     return true;
   }
-  vehicle->stack = stack_of(heartbeat.autopilot, heartbeat.type);
-  vehicle->type = heartbeat.type;
-  vehicle->autopilot = heartbeat.autopilot;
+  vehicle->stack = stack_of(announcement.autopilot, announcement.type);
+  vehicle->type = announcement.type;
+  vehicle->autopilot = announcement.autopilot;
   vehicle->last_heartbeat = now;
   ask(now, *vehicle, out);
   return true;
@@ -170,6 +185,8 @@ void FleetSession::ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& o
   vehicle.last_request = now;
   vehicle.last_attitude = now;
   if (!config_.ask_for_streams) return;
+  if (const auto* link = find(vehicle.link); link != nullptr && link->version == mavlink::Version::v0_9)
+    return ask_v09(vehicle, out);
   for (const auto& group : stream_groups_for(vehicle.stack))
     send(vehicle.link,
          messages::RequestDataStream{.target_system = vehicle.system.value,
@@ -193,14 +210,33 @@ void FleetSession::ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& o
   for (const auto message : single_messages_for(vehicle.stack)) command(messages::MAV_CMD_REQUEST_MESSAGE, message, 0);
 }
 
+/// Streams are all that can be asked for in MAVLink 0.9. Their numbers are those of ArduPilot until today.
+void FleetSession::ask_v09(const Vehicle& vehicle, Outbox<OutgoingFrame>& out) {
+  for (const auto& group : stream_groups_for(Stack::ardupilot_copter))
+    send(vehicle.link,
+         messages_v09::RequestDataStream{.target_system = vehicle.system.value,
+                                         .target_component = vehicle.component.value,
+                                         .req_stream_id = group.group,
+                                         .req_message_rate = group.rate_hz,
+                                         .start_stop = 1},
+         out);
+}
+
+void FleetSession::send_heartbeat(const Link& link, Outbox<OutgoingFrame>& out) {
+  if (link.version == mavlink::Version::v0_9)
+    send(link.id, messages_v09::Heartbeat{.type = messages_v09::OCU, .autopilot = messages_v09::MAV_AUTOPILOT_NONE},
+         out);
+  else
+    send(link.id,
+         messages::Heartbeat{.type = messages::MAV_TYPE_GCS,
+                             .autopilot = messages::MAV_AUTOPILOT_INVALID,
+                             .system_status = messages::MAV_STATE_ACTIVE},
+         out);
+}
+
 void FleetSession::on_tick(Timestamp now, Outbox<OutgoingFrame>& out, Outbox<FleetFact>& facts) {
   if (next_heartbeat_ && *next_heartbeat_ <= now) {
-    for (const auto& link : links_)
-      send(link.id,
-           messages::Heartbeat{.type = messages::MAV_TYPE_GCS,
-                               .autopilot = messages::MAV_AUTOPILOT_INVALID,
-                               .system_status = messages::MAV_STATE_ACTIVE},
-           out);
+    for (const auto& link : links_) send_heartbeat(link, out);
     next_heartbeat_ = now + heartbeat_period;
   }
   for (auto& vehicle : vehicles_) {

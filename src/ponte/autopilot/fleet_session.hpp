@@ -103,13 +103,22 @@ class FleetSession {
 
   Vehicle* find(mavlink::SystemId system);
   Link* find(LinkId link);
-  bool on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
-                    Outbox<FleetFact>& facts);
+  /// What a HEARTBEAT of any version says of its sender, in the numbers of MAVLink 1.
+  struct Announcement {
+    std::uint8_t autopilot{};
+    std::uint8_t type{};
+  };
+
+  static std::optional<Announcement> announcement_in(const mavlink::FrameView& frame);
+  bool on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame, const Announcement& announcement,
+                    Outbox<OutgoingFrame>& out, Outbox<FleetFact>& facts);
   void on_system_time(Timestamp now, Vehicle& vehicle, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
                       Outbox<FleetFact>& facts);
   void tell_duplicate(Vehicle& vehicle, LinkId link, Outbox<FleetFact>& facts);
   void answer_timesync(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out);
   void ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& out);
+  void ask_v09(const Vehicle& vehicle, Outbox<OutgoingFrame>& out);
+  void send_heartbeat(const Link& link, Outbox<OutgoingFrame>& out);
   template <mavlink::Message M>
   void send(LinkId link, const M& message, Outbox<OutgoingFrame>& out);
 

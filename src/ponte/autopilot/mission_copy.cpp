@@ -23,7 +23,7 @@ constexpr std::size_t longest_jump_chain = 16;
 
 template <mavlink::Message M>
 std::optional<M> decode_if(const mavlink::FrameView& frame) {
-  if (frame.message != M::info.id) return std::nullopt;
+  if (!mavlink::carries<M>(frame)) return std::nullopt;
   return mavlink::decode<M>(frame);
 }
 

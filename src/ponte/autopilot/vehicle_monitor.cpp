@@ -1,6 +1,8 @@
 #include "ponte/autopilot/vehicle_monitor.hpp"
 
 #include "ponte/autopilot/telemetry_rows.hpp"
+#include "ponte/autopilot/telemetry_rows_v09.hpp"
+#include "ponte/autopilot/v09.hpp"
 #include "ponte/core/hex.hpp"
 #include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
@@ -15,6 +17,9 @@
 #include "ponte/mavlink/autopilots/statustext.hpp"
 #include "ponte/mavlink/autopilots/system_time.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/mavlink/v09/heartbeat.hpp"
+#include "ponte/mavlink/v09/statustext.hpp"
+#include "ponte/mavlink/v09/system_time.hpp"
 
 #include <fmt/format.h>
 
@@ -35,11 +40,6 @@ constexpr std::string_view heartbeat_lost = "vehicle heartbeat lost";
 /// ArduPilot sends the landed state only while somebody wants it; PX4 every 10 s on the slowest links.
 constexpr std::chrono::seconds landed_state_lifetime{15};
 
-template <mavlink::Message M>
-bool is(const mavlink::FrameView& frame) {
-  return frame.message == M::info.id;
-}
-
 /// When the message was true at the source.
 template <mavlink::Message M>
 WallTime sample_time(SampleClock& clock, const M& message, WallTime received) {
@@ -47,6 +47,8 @@ WallTime sample_time(SampleClock& clock, const M& message, WallTime received) {
     return clock.from_boot_ms(message.time_boot_ms, received);
   else if constexpr (requires { message.time_usec; })
     return clock.from_usec(message.time_usec, received);
+  else if constexpr (requires { message.usec; })
+    return clock.from_usec(message.usec, received);
   else
     return clock.from_reception(received);
 }
@@ -55,7 +57,7 @@ template <class Table>
 void apply_table(const Table& table, const mavlink::FrameView& frame, vehicle::State& state, SampleClock& clock,
                  Timestamp now, WallTime received) {
   using M = typename MessageOf<Table>::type;
-  if (!is<M>(frame)) return;
+  if (!mavlink::carries<M>(frame)) return;
   const auto message = mavlink::decode<M>(frame);
   const MappingContext context{state, sample_time(clock, message, received)};
   const vehicle::Moment moment{context.at, now, state.revision};
@@ -65,11 +67,22 @@ void apply_table(const Table& table, const mavlink::FrameView& frame, vehicle::S
   std::apply([&](const auto&... row) { (learn(row), ...); }, table);
 }
 
+std::vector<RowText> describe_tables(const auto& tables) {
+  std::vector<RowText> all;
+  std::apply(
+      [&](const auto&... table) {
+        (std::apply([&](const auto&... row) { (all.push_back(describe(row)), ...); }, table), ...);
+      },
+      tables);
+  return all;
+}
+
 /// The messages that can change the leg which is flown.
 bool concerns_leg(const mavlink::FrameView& frame) {
-  return is<messages::MissionCurrent>(frame) || is<messages::MissionItemReached>(frame) ||
-         is<messages::MissionCount>(frame) || is<messages::MissionItem>(frame) || is<messages::MissionItemInt>(frame) ||
-         is<messages::MissionAck>(frame) || is<messages::HomePosition>(frame);
+  return mavlink::carries<messages::MissionCurrent>(frame) || mavlink::carries<messages::MissionItemReached>(frame) ||
+         mavlink::carries<messages::MissionCount>(frame) || mavlink::carries<messages::MissionItem>(frame) ||
+         mavlink::carries<messages::MissionItemInt>(frame) || mavlink::carries<messages::MissionAck>(frame) ||
+         mavlink::carries<messages::HomePosition>(frame);
 }
 
 SensorBits sensor_bits(const messages::SysStatus& status) {
@@ -91,31 +104,38 @@ void VehicleMonitor::on_message(Timestamp now, WallTime received, const mavlink:
                                 Outbox<Alert>& alerts) {
   on_tick(now, received, alerts);
   ++state_.revision;
+  if (frame.version == mavlink::Version::v0_9)
+    learn_v09(now, received, frame, alerts);
+  else
+    learn(now, received, frame, alerts);
+}
+
+void VehicleMonitor::learn(Timestamp now, WallTime received, const mavlink::FrameView& frame, Outbox<Alert>& alerts) {
   std::apply([&](const auto&... table) { (apply_table(table, frame, state_, clock_, now, received), ...); },
              telemetry_tables);
 
   const auto moment = moment_of(now, received);
-  if (is<messages::Heartbeat>(frame)) on_heartbeat(moment, frame, alerts);
-  if (is<messages::AutopilotVersion>(frame)) on_autopilot_version(moment, frame);
-  if (is<messages::SysStatus>(frame)) {
+  if (mavlink::carries<messages::Heartbeat>(frame)) on_heartbeat(moment, frame, alerts);
+  if (mavlink::carries<messages::AutopilotVersion>(frame)) on_autopilot_version(moment, frame);
+  if (mavlink::carries<messages::SysStatus>(frame)) {
     sensors_ = sensor_bits(mavlink::decode<messages::SysStatus>(frame));
     update_subsystems(moment);
   }
-  if (is<messages::SystemTime>(frame)) {
+  if (mavlink::carries<messages::SystemTime>(frame)) {
     const auto time = mavlink::decode<messages::SystemTime>(frame);
     clock_.on_system_time(time.time_unix_usec, time.time_boot_ms, received);
   }
-  if (is<messages::ExtendedSysState>(frame)) {
+  if (mavlink::carries<messages::ExtendedSysState>(frame)) {
     signs_.landed_state = mavlink::decode<messages::ExtendedSysState>(frame).landed_state;
     landed_state_heard_ = now;
     update_phase(moment);
   }
-  if (is<messages::Statustext>(frame)) {
+  if (mavlink::carries<messages::Statustext>(frame)) {
     const auto text = mavlink::decode<messages::Statustext>(frame);
     texts_.on_chunk(now, text.severity, text.id, text.chunk_seq, text.text.view(),
                     [&](const Alert& alert) { alerts.push(alert); });
   }
-  if (is<messages::MissionCurrent>(frame)) {
+  if (mavlink::carries<messages::MissionCurrent>(frame)) {
     const auto id = mavlink::decode<messages::MissionCurrent>(frame).mission_id;
     if (id != 0)
       state_.mission_id.learn(Text<19>{fmt::format("{:08x}", id)}, moment);
@@ -128,12 +148,51 @@ void VehicleMonitor::on_message(Timestamp now, WallTime received, const mavlink:
   }
 }
 
-void VehicleMonitor::on_heartbeat(const Moment& moment, const mavlink::FrameView& frame, Outbox<Alert>& alerts) {
-  const auto heartbeat = mavlink::decode<messages::Heartbeat>(frame);
+/// In MAVLink 0.9, what HEARTBEAT does not say of the mode and the state is in SYS_STATUS.
+void VehicleMonitor::learn_v09(Timestamp now, WallTime received, const mavlink::FrameView& frame,
+                               Outbox<Alert>& alerts) {
+  std::apply([&](const auto&... table) { (apply_table(table, frame, state_, clock_, now, received), ...); },
+             telemetry_tables_v09);
+  const auto moment = moment_of(now, received);
+  if (mavlink::carries<mavlink::v09::Heartbeat>(frame)) {
+    const auto heartbeat = mavlink::decode<mavlink::v09::Heartbeat>(frame);
+    on_alive(moment, v09::autopilot_of(heartbeat.autopilot), v09::airframe_of(heartbeat.type), alerts);
+  }
+  if (mavlink::carries<mavlink::v09::SysStatus>(frame)) on_status_v09(moment, frame);
+  if (mavlink::carries<mavlink::v09::Statustext>(frame)) {
+    const auto text = mavlink::decode<mavlink::v09::Statustext>(frame);
+    texts_.on_chunk(now, v09::severity_of(text.severity), 0, 0, text.text.view(),
+                    [&](const Alert& alert) { alerts.push(alert); });
+  }
+}
+
+void VehicleMonitor::on_status_v09(const Moment& moment, const mavlink::FrameView& frame) {
+  const auto status = mavlink::decode<mavlink::v09::SysStatus>(frame);
+  signs_.system_status = v09::system_status_of(status.status);
+  signs_.armed = v09::is_armed(status.mode, status.status);
+  signs_.landed_state = v09::landed_state_of(status.nav_mode);
+  mode_v09_ = v09::mode_of(status.mode, status.nav_mode);
+  update_mode(moment);
+  update_phase(moment);
+  update_subsystems(moment);
+}
+
+/// A HEARTBEAT of any version.
+void VehicleMonitor::on_alive(const Moment& moment, std::uint8_t autopilot, std::uint8_t airframe,
+                              Outbox<Alert>& alerts) {
   if (link_ == Link::missed || link_ == Link::lost)
     alerts.push(Alert{Condition::no_status, Subsystem::comms, heartbeat_lost});
   link_ = Link::alive;
   last_heartbeat_ = moment.heard;
+  auto identity = state_.identity.get().value_or(vehicle::Identity{});
+  identity.autopilot = autopilot;
+  identity.airframe = airframe;
+  state_.identity.learn(identity, moment);
+}
+
+void VehicleMonitor::on_heartbeat(const Moment& moment, const mavlink::FrameView& frame, Outbox<Alert>& alerts) {
+  const auto heartbeat = mavlink::decode<messages::Heartbeat>(frame);
+  on_alive(moment, heartbeat.autopilot, heartbeat.type, alerts);
 
   signs_.stack = stack_of(heartbeat.autopilot, heartbeat.type);
   signs_.system_status = heartbeat.system_status;
@@ -142,11 +201,7 @@ void VehicleMonitor::on_heartbeat(const Moment& moment, const mavlink::FrameView
   custom_mode_.reset();
   if ((heartbeat.base_mode & messages::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0) custom_mode_ = heartbeat.custom_mode;
   mission_.set_first_item_is_home(heartbeat.autopilot == messages::MAV_AUTOPILOT_ARDUPILOTMEGA);
-
-  auto identity = state_.identity.get().value_or(vehicle::Identity{});
-  identity.autopilot = heartbeat.autopilot;
-  identity.airframe = heartbeat.type;
-  state_.identity.learn(identity, moment);
+  mode_v09_.reset();
   update_mode(moment);
   update_phase(moment);
   update_subsystems(moment);
@@ -155,7 +210,7 @@ void VehicleMonitor::on_heartbeat(const Moment& moment, const mavlink::FrameView
 /// MAVLink says "no mode" by silence only; a mission item in progress can mean more than the mode that flies it.
 void VehicleMonitor::update_mode(const Moment& moment) {
   if (!is_heard()) return;
-  auto mode = custom_mode_ ? mode_from(signs_.stack, *custom_mode_) : vehicle::Mode{};
+  auto mode = custom_mode_ ? mode_from(signs_.stack, *custom_mode_) : mode_v09_.value_or(vehicle::Mode{});
   const auto command = mission_.current_command();
   if (mode.kind == ModeKind::mission && command) {
     if (signs_.stack == Stack::ardupilot_plane && *command == messages::MAV_CMD_NAV_LAND) mode.kind = ModeKind::land;
@@ -239,15 +294,12 @@ void VehicleMonitor::finish(Outbox<Alert>& alerts) {
 }
 
 std::span<const RowText> telemetry_row_texts() {
-  static const auto texts = [] {
-    std::vector<RowText> all;
-    std::apply(
-        [&](const auto&... table) {
-          (std::apply([&](const auto&... row) { (all.push_back(describe(row)), ...); }, table), ...);
-        },
-        telemetry_tables);
-    return all;
-  }();
+  static const auto texts = describe_tables(telemetry_tables);
+  return texts;
+}
+
+std::span<const RowText> telemetry_row_texts_v09() {
+  static const auto texts = describe_tables(telemetry_tables_v09);
   return texts;
 }
 

@@ -44,7 +44,12 @@ class VehicleMonitor {
     return {clock_.from_reception(received), now, state_.revision};
   }
 
+  void learn(Timestamp now, WallTime received, const mavlink::FrameView& frame, Outbox<vehicle::Alert>& alerts);
+  void learn_v09(Timestamp now, WallTime received, const mavlink::FrameView& frame, Outbox<vehicle::Alert>& alerts);
   void on_heartbeat(const vehicle::Moment& moment, const mavlink::FrameView& frame, Outbox<vehicle::Alert>& alerts);
+  void on_status_v09(const vehicle::Moment& moment, const mavlink::FrameView& frame);
+  void on_alive(const vehicle::Moment& moment, std::uint8_t autopilot, std::uint8_t airframe,
+                Outbox<vehicle::Alert>& alerts);
   void on_autopilot_version(const vehicle::Moment& moment, const mavlink::FrameView& frame);
   void update_mode(const vehicle::Moment& moment);
   void update_phase(const vehicle::Moment& moment);
@@ -58,6 +63,7 @@ class VehicleMonitor {
   LifeCycleSigns signs_;
   Timestamp landed_state_heard_{};
   std::optional<std::uint32_t> custom_mode_;  ///< nothing while HEARTBEAT says that it is not valid
+  std::optional<vehicle::Mode> mode_v09_;     ///< what SYS_STATUS says, in MAVLink 0.9
   Link link_{Link::never_heard};
   Timestamp last_heartbeat_{};
   std::optional<SensorBits> sensors_;
@@ -65,5 +71,7 @@ class VehicleMonitor {
 
 /// Every row of the mapping tables in words, for documentation and tests.
 [[nodiscard]] std::span<const RowText> telemetry_row_texts();
+/// Those for MAVLink 0.9.
+[[nodiscard]] std::span<const RowText> telemetry_row_texts_v09();
 
 }  // namespace ponte::autopilot

@@ -116,6 +116,19 @@ std::optional<std::uint64_t> parse_number(std::string_view text) {
   return parse_digits(text, 10);
 }
 
+/// Letters, digits and underscores of ASCII: what the names of messages and fields are made of.
+bool is_plain(std::string_view name) {
+  return std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+std::vector<std::size_t> order_of_definition(const Message& message) {
+  std::vector<std::size_t> order(message.fields.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  return order;
+}
+
 class DialectReader {
  public:
   /// Without a search path there are no files, and includes are refused.
@@ -130,6 +143,7 @@ class DialectReader {
   void read_text(const std::filesystem::path& path, std::string_view text, std::size_t depth = 0) {
     const Document document{path, text};
     const auto root = document.root();
+    read_wire(document, root, depth);
     for (const auto& include : root.children("include")) {
       if (depth == deepest_include) document.refuse(include, "includes are nested too deeply");
       read(resolve(document, include), depth + 1);
@@ -141,14 +155,14 @@ class DialectReader {
   }
 
   [[nodiscard]] Protocol finish(std::string name) {
-    Protocol protocol{std::move(name), {}, {}, {}};
+    Protocol protocol{.name = std::move(name), .messages = {}, .enumerations = {}, .v09 = v09_};
     for (auto& extension : extensions_) extend(extension);
     std::map<std::string, std::uint32_t> types;  ///< "A_1" and "A1" would be one struct
-    for (auto& [number, message] : messages_) {
-      const auto [twin, is_new] = types.emplace(pascal_case(message.key), number);
+    for (auto& [key, message] : messages_) {
+      const auto [twin, is_new] = types.emplace(pascal_case(message.key), message.number);
       if (!is_new)
         throw DefinitionError{message.source, fmt::format("the name {} of message {} is taken by message {}",
-                                                          message.name, number, twin->second)};
+                                                          message.name, message.number, twin->second)};
       check_and_lay_out(message);
       protocol.messages.push_back(std::move(message));
     }
@@ -160,6 +174,25 @@ class DialectReader {
   }
 
  private:
+  /// By number. In MAVLink 0.9 several messages may share one if their lengths differ; elsewhere the length is left
+  /// out.
+  using MessageKey = std::pair<std::uint32_t, std::size_t>;
+
+  [[nodiscard]] MessageKey key_of(const Message& message) const {
+    std::size_t length = 0;
+    if (v09_)
+      for (const auto& field : message.fields) length += field.size();
+    return {message.number, length};
+  }
+
+  /// What travels how: the attribute `wire` of the outermost file, which the files that it includes must share.
+  void read_wire(const Document& document, const pugi::xml_node& root, std::size_t depth) {
+    const std::string_view wire = root.attribute("wire").value();
+    if (!wire.empty() && wire != "0.9") document.refuse(root, fmt::format("wire is '{}', expected 0.9 or none", wire));
+    if (depth > 0 && v09_ != (wire == "0.9")) document.refuse(root, "it is included by a file of another wire format");
+    v09_ = wire == "0.9";
+  }
+
   [[nodiscard]] std::filesystem::path resolve(const Document& document, const pugi::xml_node& include) const {
     const std::string name = one_line(include.child_value());
     if (search_path_ == nullptr) document.refuse(include, fmt::format("'{}' cannot be included into a text", name));
@@ -218,11 +251,13 @@ class DialectReader {
     message.source = document.at(node);
     message.name = document.attribute(node, "name");
     message.key = snake_case(message.name);
-    if (message.key.empty() || std::ranges::find(taken_keys, message.key) != taken_keys.end())
+    if (!is_plain(message.name) || message.key.empty() ||
+        std::ranges::find(taken_keys, message.key) != taken_keys.end())
       document.refuse(node, fmt::format("'{}' cannot be the name of a message", message.name));
     const auto number = parse_number(document.attribute(node, "id"));
-    if (!number || *number > 0xFFFFFF)
-      document.refuse(node, fmt::format("id of {} must be 0 to 16777215", message.name));
+    const std::uint64_t highest = v09_ ? 0xFF : 0xFFFFFF;
+    if (!number || *number > highest)
+      document.refuse(node, fmt::format("id of {} must be 0 to {}", message.name, highest));
     message.number = static_cast<std::uint32_t>(*number);
     const bool extends = node.attribute("extend").as_bool();
     bool extension = false;
@@ -232,24 +267,26 @@ class DialectReader {
       if (kind == "description") message.note = one_line(child.child_value());
       if (kind == "field") message.fields.push_back(read_field(document, child, extension));
     }
+    if (v09_ && (extension || extends)) document.refuse(node, "MAVLink 0.9 has no extension fields");
     if (extends) {
       extensions_.push_back(std::move(message));
       return;
     }
-    const auto twin = messages_.find(message.number);
+    const auto twin = messages_.find(key_of(message));
     if (twin != messages_.end())
       document.refuse(node,
                       fmt::format("message {} has the id {} of {}, defined at {}:{}", message.name, message.number,
                                   twin->second.name, twin->second.source.file.string(), twin->second.source.line));
-    messages_.emplace(message.number, std::move(message));
+    messages_.emplace(key_of(message), std::move(message));
   }
 
-  static Field read_field(const Document& document, const pugi::xml_node& node, bool extension) {
+  Field read_field(const Document& document, const pugi::xml_node& node, bool extension) const {
     Field field;
     field.source = document.at(node);
     field.name = document.attribute(node, "name");
     field.key = snake_case(field.name);
-    if (field.key.empty()) document.refuse(node, fmt::format("'{}' cannot be the name of a field", field.name));
+    if (!is_plain(field.name) || field.key.empty())
+      document.refuse(node, fmt::format("'{}' cannot be the name of a field", field.name));
     field.unit = node.attribute("units").value();
     field.invalid = node.attribute("invalid").value();
     field.instance = node.attribute("instance").as_bool();
@@ -262,7 +299,7 @@ class DialectReader {
     std::string_view type = written;
     if (type == "uint8_t_mavlink_version") {
       type = "uint8_t";
-      field.initial = "3";  // the wire revision that every MAVLink 1 and 2 sender announces
+      field.initial = v09_ ? "2" : "3";  // what every sender announces: 3 in MAVLink 1 and 2
     }
     if (const auto bracket = type.find('['); bracket != std::string_view::npos) {
       const auto count =
@@ -281,7 +318,7 @@ class DialectReader {
   }
 
   void extend(Message& extension) {
-    const auto found = messages_.find(extension.number);
+    const auto found = messages_.find(key_of(extension));
     if (found == messages_.end() || found->second.name != extension.name)
       throw DefinitionError{extension.source,
                             fmt::format("extends {} ({}), which is not defined", extension.name, extension.number)};
@@ -307,7 +344,7 @@ class DialectReader {
     CrcX25 crc;
     crc.add(message.name + ' ');
     std::size_t offset = 0;
-    for (const auto index : wire_order(message)) {
+    for (const auto index : v09_ ? order_of_definition(message) : wire_order(message)) {
       auto& field = message.fields[index];
       field.offset = offset;
       offset += field.size();
@@ -317,7 +354,7 @@ class DialectReader {
       if (field.count > 0) crc.add(static_cast<std::uint8_t>(field.count));
     }
     message.full_length = offset;
-    message.crc_extra = crc.folded();
+    if (!v09_) message.crc_extra = crc.folded();
     if (message.fields.empty()) throw DefinitionError{message.source, fmt::format("{} has no fields", message.name)};
     if (offset > largest_payload)
       throw DefinitionError{message.source,
@@ -326,7 +363,8 @@ class DialectReader {
 
   const std::vector<std::filesystem::path>* search_path_;
   std::set<std::filesystem::path> read_;
-  std::map<std::uint32_t, Message> messages_;
+  bool v09_{};
+  std::map<MessageKey, Message> messages_;
   std::vector<Message> extensions_;
   std::map<std::string, Enumeration> enumerations_;
   std::map<std::string, std::pair<std::string, std::uint64_t>> entries_;  ///< name of an entry: its enum and value
@@ -341,8 +379,7 @@ std::string dialect_name(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<std::size_t> wire_order(const Message& message) {
-  std::vector<std::size_t> order(message.fields.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  auto order = order_of_definition(message);
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     const auto& left = message.fields[a];
     const auto& right = message.fields[b];

@@ -8,6 +8,7 @@ namespace ponte::definitions {
 /// looked for beside the file that names it, then in `search_path`. A `<message extend="true">` (our own attribute, for
 /// definitions/mavlink/additions.xml) appends extension fields to a message that is defined elsewhere.
 /// Wire order, offsets and crc_extra are computed as https://mavlink.io/en/guide/serialization.html says.
+/// `<mavlink wire="0.9">` (ours too) makes it a dialect of MAVLink 0.9, with that version's wire rules.
 /// Throws `DefinitionError`.
 [[nodiscard]] Protocol read_mavlink(const std::filesystem::path& file,
                                     const std::vector<std::filesystem::path>& search_path);

@@ -120,9 +120,10 @@ struct Group {
 
 struct Protocol {
   std::string name;
-  std::vector<Message> messages;          ///< by number, ascending
+  std::vector<Message> messages;          ///< by number, ascending; in MAVLink 0.9 then by length
   std::vector<Enumeration> enumerations;  ///< by name, ascending
   std::vector<Group> groups{};
+  bool v09{};  ///< MAVLink 0.9: big-endian fields in the order of the definition, and no checksum seed
 
   [[nodiscard]] const Enumeration* find_enumeration(std::string_view wanted) const;
 };

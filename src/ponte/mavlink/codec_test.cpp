@@ -1,5 +1,6 @@
 #include "ponte/mavlink/codec.hpp"
 
+#include "ponte/core/hex.hpp"
 #include "ponte/mavlink/test_messages.hpp"
 #include "support/bytes.hpp"
 
@@ -87,6 +88,43 @@ TEST(Codec, CarriesEveryType) {
   const Everything sent{.whole = -5'000'000'000, .fine = -0.1, .triple = {1, 65535, 3}, .tiny = -128, .letter = 'z'};
   const auto frame_bytes = encoded(sent, header_of(1));
   EXPECT_EQ(decode<Everything>(*parse_frame(frame_bytes)), sent);
+}
+
+TEST(CodecV09, WritesWhatTheHeadersOf2011Write) {
+  const testing::AttitudeV09 message{.usec = 1'000'000,
+                                     .roll = 0.1F,
+                                     .pitch = 0.2F,
+                                     .yaw = 0.3F,
+                                     .rollspeed = 0.01F,
+                                     .pitchspeed = 0.02F,
+                                     .yawspeed = 0.03F};
+  std::array<std::byte, max_frame_size> out{};
+  const auto size = encode(message, {Version::v0_9, SystemId{1}, ComponentId{1}, 1}, out);
+  ASSERT_TRUE(size.has_value());
+  const auto golden = bytes(testing::attitude_v09_frame);
+  EXPECT_EQ(to_hex(Bytes{out}.first(*size)), to_hex(golden));
+  const auto frame = parse_frame(golden);
+  ASSERT_TRUE(frame.has_value());
+  EXPECT_TRUE(carries<testing::AttitudeV09>(*frame));
+  EXPECT_FALSE(carries<testing::Attitude>(*frame));
+  EXPECT_FALSE(carries<testing::EverythingV09>(*frame));
+  EXPECT_EQ(decode<testing::AttitudeV09>(*frame), message);
+}
+
+TEST(CodecV09, ArraysAndTextsKeepTheirOrder) {
+  const testing::EverythingV09 message{.triple = {1, -2, 0x1234}, .text = std::string_view{"ponte"}, .fine = -0.5};
+  std::array<std::byte, max_frame_size> out{};
+  const auto size = encode(message, {Version::v0_9, SystemId{1}, ComponentId{1}, 1}, out);
+  ASSERT_TRUE(size.has_value());
+  EXPECT_EQ(to_hex(Bytes{out}.subspan(6, 11)), "0001fffe1234706f6e7465");
+  EXPECT_EQ(decode<testing::EverythingV09>(*parse_frame(Bytes{out}.first(*size))), message);
+}
+
+TEST(CodecV09, NoMessageTravelsInFramesOfAnotherVersion) {
+  std::array<std::byte, max_frame_size> out{};
+  for (const auto version : {Version::v1, Version::v2})
+    EXPECT_EQ(encode(testing::AttitudeV09{}, {.version = version}, out), fail(WriteError::wrong_version));
+  EXPECT_EQ(encode(testing::Attitude{}, {.version = Version::v0_9}, out), fail(WriteError::wrong_version));
 }
 
 }  // namespace

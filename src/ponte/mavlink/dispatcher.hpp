@@ -51,8 +51,8 @@ class Dispatcher final : public FrameSink {
 
     /// A dialect that was read at run time has tables of its own for the same message.
     [[nodiscard]] bool is(const MessageInfo& message) const {
-      return info == &message || (info->id == message.id && info->crc_extra == message.crc_extra &&
-                                  info->base_length == message.base_length);
+      return info == &message || (info->name == message.name && info->crc_extra == message.crc_extra &&
+                                  info->base_length == message.base_length && info->is_v09() == message.is_v09());
     }
 
     const MessageInfo* info;

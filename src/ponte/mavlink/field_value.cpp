@@ -77,6 +77,11 @@ std::optional<std::uint64_t> value_of_word(const EnumInfo& enumeration, std::str
   return enumeration.bitmask && is_number ? std::optional{number} : std::nullopt;
 }
 
+template <class T>
+T load_number(const FieldInfo& field, const std::byte* at) {
+  return field.big_endian ? load_be<T>(at) : load_le<T>(at);
+}
+
 }  // namespace
 
 FieldValue read_element(const FieldInfo& field, Bytes payload, std::size_t index) {
@@ -87,7 +92,7 @@ FieldValue read_element(const FieldInfo& field, Bytes payload, std::size_t index
     const auto present = payload.subspan(at);
     std::copy_n(present.begin(), std::min<std::size_t>(present.size(), size_of(field.type)), bytes.begin());
   }
-  return with_type(field.type, [&](auto zero) { return widened(load_le<decltype(zero)>(bytes.data())); });
+  return with_type(field.type, [&](auto zero) { return widened(load_number<decltype(zero)>(field, bytes.data())); });
 }
 
 std::string_view read_text(const FieldInfo& field, Bytes payload) {
@@ -105,7 +110,7 @@ Result<void, FieldWriteError> write_element(const FieldInfo& field, MutableBytes
   return with_type(field.type, [&](auto zero) -> Result<void, FieldWriteError> {
     const auto number = std::visit([](auto any) { return converted<decltype(zero)>(any); }, value);
     if (!number) return fail(number.error());
-    store_le(at, *number);
+    field.big_endian ? store_be(at, *number) : store_le(at, *number);
     return {};
   });
 }

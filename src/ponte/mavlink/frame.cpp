@@ -35,14 +35,24 @@ Result<FrameView, FrameError> parse_v2(Bytes input) {
   };
 }
 
-Result<FrameView, FrameError> parse_v1(Bytes input) {
+/// Of the frame that begins at the first byte of `input`, as far as its bytes tell.
+std::size_t size_at_least(Bytes input) {
+  const bool is_v2 = !input.empty() && input[0] == start_v2;
+  const auto begin = header_size(is_v2 ? Version::v2 : Version::v1);
+  const std::size_t length = input.size() > 1 ? u8(input, 1) : 0;
+  const bool is_signed = is_v2 && input.size() > 2 && (u8(input, 2) & flag_signed) != 0;
+  return begin + length + checksum_size + (is_signed ? signature_size : 0);
+}
+
+/// The header of MAVLink 0.9 is that of MAVLink 1.
+Result<FrameView, FrameError> parse_v1(Bytes input, Version version) {
   if (input.size() < 2) return fail(FrameError::incomplete);
-  const auto begin = header_size(Version::v1);
+  const auto begin = header_size(version);
   const std::size_t length = u8(input, 1);
   const auto size = begin + length + checksum_size;
   if (input.size() < size) return fail(FrameError::incomplete);
   return FrameView{
-      .version = Version::v1,
+      .version = version,
       .sequence = u8(input, 2),
       .system = SystemId{u8(input, 3)},
       .component = ComponentId{u8(input, 4)},
@@ -50,6 +60,12 @@ Result<FrameView, FrameError> parse_v1(Bytes input) {
       .payload = input.subspan(begin, length),
       .whole = input.first(size),
   };
+}
+
+Result<FrameView, FrameError> parse_v0_9(Bytes input) {
+  auto frame = parse_v1(input, Version::v0_9);
+  if (frame && !checksum_matches(*frame, 0)) return fail(FrameError::checksum);
+  return frame;
 }
 
 /// Zero if no byte of `word` equals `wanted`; otherwise the lowest bit that is set lies in the first byte that does.
@@ -61,20 +77,32 @@ constexpr std::uint64_t marks_of(std::uint64_t word, std::byte wanted) {
 
 }  // namespace
 
+const MessageInfo* find_message(const Dialect& dialect, const FrameView& frame) {
+  if (frame.version == Version::v0_9) return dialect.find_v09(frame.message, frame.payload.size());
+  return dialect.find(frame.message);
+}
+
 Result<FrameView, FrameError> parse_frame(Bytes input) {
   if (input.empty()) return fail(FrameError::incomplete);
   if (input[0] == start_v2) return parse_v2(input);
-  if (input[0] == start_v1) return parse_v1(input);
+  if (input[0] == start_v1) return parse_v1(input, Version::v1);
+  if (input[0] == start_v0_9) return parse_v0_9(input);
   return fail(FrameError::not_a_frame);
+}
+
+std::size_t missing_bytes(Bytes input) {
+  const auto size = size_at_least(input);
+  return size > input.size() ? size - input.size() : 1;
 }
 
 bool checksum_matches(const FrameView& frame, std::uint8_t crc_extra) {
   const auto covered = frame.whole.subspan(1, header_size(frame.version) - 1 + frame.payload.size());
-  return crc_of(crc_extra, crc_of(covered)) == frame.checksum();
+  const auto crc = crc_of(covered);
+  return (frame.version == Version::v0_9 ? crc : crc_of(crc_extra, crc)) == frame.checksum();
 }
 
 Bytes readable_payload(const FrameView& frame, const MessageInfo& message) {
-  const std::size_t known = frame.version == Version::v1 ? message.base_length : message.full_length;
+  const std::size_t known = frame.version == Version::v2 ? message.full_length : message.base_length;
   return frame.payload.first(std::min(frame.payload.size(), known));
 }
 
@@ -82,10 +110,10 @@ std::size_t find_start(Bytes bytes) {
   std::size_t at = 0;
   for (; at + 8 <= bytes.size(); at += 8) {
     const auto word = load_le<std::uint64_t>(&bytes[at]);
-    const auto marks = marks_of(word, start_v1) | marks_of(word, start_v2);
+    const auto marks = marks_of(word, start_v0_9) | marks_of(word, start_v1) | marks_of(word, start_v2);
     if (marks != 0) return at + static_cast<std::size_t>(std::countr_zero(marks)) / 8;
   }
-  while (at < bytes.size() && bytes[at] != start_v1 && bytes[at] != start_v2) ++at;
+  while (at < bytes.size() && bytes[at] != start_v0_9 && bytes[at] != start_v1 && bytes[at] != start_v2) ++at;
   return at;
 }
 
@@ -103,9 +131,10 @@ Result<std::size_t, WriteError> seal_frame(const FrameHeader& header, const Mess
   const auto begin = header_size(header.version);
   const Bytes payload = out.subspan(begin, message.full_length);
   std::size_t length = message.base_length;
-  if (header.version == Version::v1) {
+  if (message.is_v09() != (header.version == Version::v0_9)) return fail(WriteError::wrong_version);
+  if (header.version != Version::v2) {
     if (id > 0xFF) return fail(WriteError::needs_version_2);
-    out[0] = start_v1;
+    out[0] = header.version == Version::v1 ? start_v1 : start_v0_9;
     out[2] = std::byte{header.sequence};
     out[3] = std::byte{header.system.value};
     out[4] = std::byte{header.component.value};
@@ -123,7 +152,8 @@ Result<std::size_t, WriteError> seal_frame(const FrameHeader& header, const Mess
     out[9] = static_cast<std::byte>(id >> 16U);
   }
   out[1] = static_cast<std::byte>(length);
-  store_le(&out[begin + length], crc_of(message.crc_extra, crc_of(out.subspan(1, begin - 1 + length))));
+  const auto crc = crc_of(out.subspan(1, begin - 1 + length));
+  store_le(&out[begin + length], message.is_v09() ? crc : crc_of(message.crc_extra, crc));
   return begin + length + checksum_size;
 }
 

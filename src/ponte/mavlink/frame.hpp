@@ -6,12 +6,24 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
-/// MAVLink 1 and 2 frames: where they begin and end, and what is in their header.
+/// MAVLink 0.9, 1 and 2 frames: where they begin and end, and what is in their header.
 namespace ponte::mavlink {
 
-enum class Version : std::uint8_t { v1 = 1, v2 = 2 };
+enum class Version : std::uint8_t { v0_9 = 0, v1 = 1, v2 = 2 };
 
+/// "0.9", "1" or "2".
+[[nodiscard]] constexpr std::string_view to_text(Version version) {
+  switch (version) {
+    case Version::v0_9: return "0.9";
+    case Version::v1: return "1";
+    case Version::v2: return "2";
+  }
+  return {};
+}
+
+inline constexpr std::byte start_v0_9{0x55};  ///< 'U'
 inline constexpr std::byte start_v1{0xFE};
 inline constexpr std::byte start_v2{0xFD};
 inline constexpr std::size_t signature_size = 13;  ///< link id, 48-bit time stamp, 6 bytes of hash
@@ -19,18 +31,18 @@ inline constexpr std::size_t max_payload_size = 255;
 inline constexpr std::size_t max_frame_size = 280;  ///< a signed MAVLink 2 frame with the longest payload
 
 /// Bytes before the payload, start byte included.
-[[nodiscard]] constexpr std::size_t header_size(Version version) { return version == Version::v1 ? 6 : 10; }
+[[nodiscard]] constexpr std::size_t header_size(Version version) { return version == Version::v2 ? 10 : 6; }
 
 /// One frame, still inside the buffer it arrived in. The view owns nothing: it is valid only as long as that buffer is.
 struct FrameView {
   Version version{};
-  std::uint8_t incompatibility_flags{};  ///< 0 in MAVLink 1
-  std::uint8_t compatibility_flags{};    ///< 0 in MAVLink 1
+  std::uint8_t incompatibility_flags{};  ///< 0 before MAVLink 2
+  std::uint8_t compatibility_flags{};    ///< 0 before MAVLink 2
   std::uint8_t sequence{};
   SystemId system{};
   ComponentId component{};
   MessageId message{};
-  Bytes payload{};  ///< as sent: trailing zero bytes may be missing
+  Bytes payload{};  ///< as sent: in MAVLink 2 trailing zero bytes may be missing
   Bytes whole{};    ///< start byte to signature, for forwarding untouched
 
   [[nodiscard]] bool is_signed() const { return (incompatibility_flags & 0x01U) != 0; }
@@ -40,21 +52,29 @@ struct FrameView {
   [[nodiscard]] std::uint16_t checksum() const { return u16_le(whole, header_size(version) + payload.size()); }
 };
 
+/// What the dialect says of the message in this frame, or nothing.
+[[nodiscard]] const MessageInfo* find_message(const Dialect& dialect, const FrameView& frame);
+
 enum class FrameError {
   incomplete,    ///< more bytes are needed to tell, or to have all of the frame
   not_a_frame,   ///< the first byte begins no frame
   unknown_flag,  ///< MAVLink 2 obliges us to discard frames with incompatibility flags that we do not understand
+  checksum,      ///< wrong, in MAVLink 0.9
 };
 
 /// Reads the frame that begins at the first byte of `input`; what follows it does not matter. After any error but
-/// `incomplete`: drop one byte and look again. The checksum is not examined here, since it needs the dialect.
+/// `incomplete`: drop one byte and look again. The checksum of MAVLink 1 and 2 is not examined here, since it needs the
+/// dialect; that of MAVLink 0.9 needs nothing, and is.
 [[nodiscard]] Result<FrameView, FrameError> parse_frame(Bytes input);
 
-/// Whether the checksum is right for a message with this crc_extra.
+/// How many more bytes, at least, make `input` a frame; at least 1. Of an empty input: the size of the smallest frame.
+[[nodiscard]] std::size_t missing_bytes(Bytes input);
+
+/// Whether the checksum is right for a message with this crc_extra, which MAVLink 0.9 does not use.
 [[nodiscard]] bool checksum_matches(const FrameView& frame, std::uint8_t crc_extra);
 
-/// The part of the payload that the fields of `message` may be read from. In MAVLink 1 that ends with the base fields,
-/// as extensions do not exist there. It may be shorter than the fields: missing bytes are zeros.
+/// The part of the payload that the fields of `message` may be read from. Before MAVLink 2 that ends with the base
+/// fields, as extensions do not exist there. It may be shorter than the fields: missing bytes are zeros.
 [[nodiscard]] Bytes readable_payload(const FrameView& frame, const MessageInfo& message);
 
 /// Position of the first byte that can begin a frame, or the size of `bytes`.
@@ -70,6 +90,7 @@ struct FrameHeader {
 
 enum class WriteError {
   needs_version_2,  ///< the message id does not fit the 8 bits of MAVLink 1
+  wrong_version,    ///< a message of MAVLink 0.9 in another version, or the other way round
 };
 
 /// Writes an unsigned frame to the beginning of `out` and returns its size in bytes. `payload` has the full length of

@@ -45,7 +45,8 @@ void append_header(JsonText& json, WallTime time, const FrameView& frame, const 
     json.value(message->name);
   else
     json.value(std::string_view{fmt::format("unknown:{}", frame.message.value)});
-  json.member("version", static_cast<int>(frame.version));
+  json.key("version");
+  frame.version == Version::v0_9 ? json.value(0.9) : json.value(static_cast<int>(frame.version));
   json.member("system", int{frame.system.value}).member("component", int{frame.component.value});
   json.member("sequence", int{frame.sequence});
 }

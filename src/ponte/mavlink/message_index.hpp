@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ponte/mavlink/frame.hpp"
 #include "ponte/mavlink/message_info.hpp"
 
 #include <array>
@@ -14,7 +15,12 @@ class MessageIndex {
  public:
   explicit MessageIndex(const Dialect& dialect);
 
-  /// The message with this id, or nothing.
+  /// The message in this frame, or nothing.
+  [[nodiscard]] const MessageInfo* find(const FrameView& frame) const {
+    return frame.version == Version::v0_9 ? find_message(*dialect_, frame) : find(frame.message);
+  }
+
+  /// The message of MAVLink 1 and 2 with this id, or nothing.
   [[nodiscard]] const MessageInfo* find(MessageId id) const {
     if (id.value >= low_ids) return dialect_->find(id);
     const auto word = present_[id.value / 64];

@@ -2,7 +2,9 @@
 
 #include "ponte/core/id.hpp"
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -66,7 +68,8 @@ struct FieldInfo {
   std::string_view unit;      ///< as the definition writes it, e.g. "degE7"; empty: none
   std::string_view invalid;   ///< the value that means "unknown", as the definition writes it; empty: none
   const EnumInfo* enumeration;
-  bool instance{};  ///< tells several of the message apart, e.g. the number of a battery
+  bool instance{};    ///< tells several of the message apart, e.g. the number of a battery
+  bool big_endian{};  ///< in MAVLink 0.9, where all fields are; since then none is
 
   [[nodiscard]] constexpr std::size_t size() const {
     return std::size_t{size_of(type)} * (array_length == 0 ? 1U : array_length);
@@ -87,6 +90,9 @@ struct MessageInfo {
       if (field.name == wanted) return &field;
     return nullptr;
   }
+
+  /// True for a message of MAVLink 0.9, false for one of MAVLink 1 and 2.
+  [[nodiscard]] constexpr bool is_v09() const { return !fields.empty() && fields.front().big_endian; }
 };
 
 /// A generated message: a plain struct with its table, whose fields can be visited with their descriptions.
@@ -99,25 +105,39 @@ concept Message = requires(M message) {
 struct Dialect {
   std::string_view name;
   std::span<const MessageInfo* const> messages;  ///< by id, ascending
+  /// What is spoken in MAVLink 0.9, by id and then length; nothing: not at all, and no frame of it is recognised.
+  const Dialect* v09{};
 
-  /// The message with this id, or nothing.
+  /// True if `messages` are those of MAVLink 0.9: such a dialect is the `v09` of another.
+  [[nodiscard]] constexpr bool is_v09() const { return !messages.empty() && messages.front()->is_v09(); }
+
+  /// The message of MAVLink 0.9 with this id and payload length, or nothing. Only the length tells messages of
+  /// different dialects apart there.
+  [[nodiscard]] constexpr const MessageInfo* find_v09(MessageId id, std::size_t length) const {
+    if (v09 == nullptr) return nullptr;
+    const auto* const end = v09->messages.data() + v09->messages.size();
+    for (const auto* at = v09->first_from(id); at != end && (*at)->id == id; ++at)
+      if ((*at)->full_length == length) return *at;
+    return nullptr;
+  }
+
+  /// The message of MAVLink 1 and 2 with this id, or nothing.
   [[nodiscard]] constexpr const MessageInfo* find(MessageId id) const {
-    std::size_t first = 0;
-    std::size_t last = messages.size();
-    while (first < last) {
-      const auto middle = (first + last) / 2;
-      if (messages[middle]->id < id)
-        first = middle + 1;
-      else
-        last = middle;
-    }
-    return first < messages.size() && messages[first]->id == id ? messages[first] : nullptr;
+    const auto* const at = first_from(id);
+    return at != messages.data() + messages.size() && (*at)->id == id ? *at : nullptr;
   }
   /// The message with this name, e.g. "HEARTBEAT", or nothing. Looks at one after the other.
   [[nodiscard]] constexpr const MessageInfo* find(std::string_view wanted) const {
     for (const auto* message : messages)
       if (message->name == wanted) return message;
     return nullptr;
+  }
+
+ private:
+  /// The first message whose id is not below this one.
+  [[nodiscard]] constexpr const MessageInfo* const* first_from(MessageId id) const {
+    return std::lower_bound(messages.data(), messages.data() + messages.size(), id,
+                            [](const MessageInfo* message, MessageId wanted) { return message->id < wanted; });
   }
 };
 

@@ -11,7 +11,7 @@ constexpr int chain_limit = 128;
 
 bool has_expected_length(const FrameView& frame, const MessageInfo& message) {
   const auto size = frame.payload.size();
-  return frame.version == Version::v1 ? size == message.base_length : size <= message.full_length;
+  return frame.version == Version::v2 ? size <= message.full_length : size == message.base_length;
 }
 
 }  // namespace
@@ -31,6 +31,8 @@ void Parser::on_tick(Timestamp now, FrameSink& sink) {
   keep(held.subspan(consume(held, held.size(), Ending::silence, sink)));
   deadline_.reset();
 }
+
+std::size_t Parser::bytes_needed() const { return missing_bytes(Bytes{held_}.first(held_size_).subspan(behind_)); }
 
 void Parser::finish(FrameSink& sink) {
   if (held_size_ > 0) consume(Bytes{held_}.first(held_size_), held_size_, Ending::end, sink);
@@ -71,7 +73,7 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
   while (at < stop) {
     const auto rest = input.subspan(at);
     const auto frame = parse_frame(rest);
-    const auto* message = frame ? index_.find(frame->message) : nullptr;
+    const auto* message = frame ? index_.find(*frame) : nullptr;
     const auto verdict = message != nullptr ? judge_known(*frame, *message)
                          : frame ? Verdict{judge_unknown(rest, frame->whole.size(), ending), SkipReason::unconfirmed}
                                  : judge_error(frame.error(), ending);
@@ -91,7 +93,7 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
       const auto overlapping = parse_frame(input.subspan(at - shared));
       is_unfinished_ = !overlapping;
       if (is_unfinished_) return at - shared;
-      deliver(*overlapping, index_.find(overlapping->message), shared, sink);
+      deliver(*overlapping, index_.find(*overlapping), shared, sink);
       at += overlapping->whole.size() - shared;
       continue;
     }
@@ -138,20 +140,21 @@ void Parser::look_back(Bytes input, std::size_t at, Ending ending) {
     const auto frame = parse_frame(input.subspan(at - behind_));
     if (!frame && frame.error() == FrameError::incomplete && ending == Ending::open) return;
     if (!frame || frame->whole.size() <= behind_) continue;
-    const auto* message = index_.find(frame->message);
+    const auto* message = index_.find(*frame);
     if (message != nullptr && judge_known(*frame, *message).claim == Claim::confirmed) return;
   }
 }
 
 /// The message of a frame if it is known and the checksum is right, otherwise nothing.
 const MessageInfo* Parser::find_proven(const FrameView& frame) const {
-  const auto* message = index_.find(frame.message);
+  const auto* message = index_.find(frame);
   return message != nullptr && checksum_matches(frame, message->crc_extra) ? message : nullptr;
 }
 
 Parser::Verdict Parser::judge_error(FrameError error, Ending ending) {
   if (error == FrameError::not_a_frame) return {Claim::refuted, SkipReason::noise};
   if (error == FrameError::unknown_flag) return {Claim::refuted, SkipReason::unknown_flag};
+  if (error == FrameError::checksum) return {Claim::refuted, SkipReason::checksum};
   return {ending == Ending::open ? Claim::needs_bytes : Claim::refuted, SkipReason::truncated};
 }
 
@@ -205,7 +208,7 @@ Parser::Claim Parser::follow(Bytes window, std::size_t& end, Ending ending) cons
       const bool may_become_one = next.error() == FrameError::incomplete && ending == Ending::open && !is_full;
       return may_become_one ? Claim::needs_bytes : Claim::refuted;
     }
-    if (const auto* message = index_.find(next->message); message != nullptr)
+    if (const auto* message = index_.find(*next); message != nullptr)
       return checksum_matches(*next, message->crc_extra) ? Claim::confirmed : Claim::refuted;
     end += next->whole.size();
   }

@@ -79,6 +79,9 @@ class Parser {
   void on_bytes(Timestamp now, Bytes bytes, FrameSink& sink);
   /// Silence, once `next_deadline` has come: gives up a frame that stayed unfinished, and finds those hidden behind it.
   void on_tick(Timestamp now, FrameSink& sink);
+  /// How many more bytes of a stream have to come, at least, before anything can be delivered. One more may be enough
+  /// for a decision that delivers nothing.
+  [[nodiscard]] std::size_t bytes_needed() const;
   /// When `on_tick` next has something to do; nothing while no frame is unfinished.
   [[nodiscard]] std::optional<Timestamp> next_deadline() const { return deadline_; }
   /// The end of a stream, which decides everything, like the end of a datagram.

@@ -1,8 +1,8 @@
 #include "ponte/core/hex.hpp"
+#include "ponte/core/random.hpp"
 #include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/parser.hpp"
 #include "ponte/mavlink/test_messages.hpp"
-#include "ponte/core/random.hpp"
 #include "support/seed.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,10 @@ void append_random_frame(Random& random, const MessageInfo& message, Buffer& str
   random.fill(payload);
   if (random.chance(0.3)) std::fill_n(payload.rbegin(), payload.size() / 2, std::byte{0});
   FrameHeader header{};
-  if (message.id.value < 256 && random.chance(0.4)) header.version = Version::v1;
+  if (message.is_v09())
+    header.version = Version::v0_9;
+  else if (message.id.value < 256 && random.chance(0.4))
+    header.version = Version::v1;
   header.system = SystemId{static_cast<std::uint8_t>(random.below(256))};
   header.component = ComponentId{static_cast<std::uint8_t>(random.below(256))};
   header.sequence = static_cast<std::uint8_t>(random.below(256));
@@ -54,12 +57,18 @@ void append_random_frame(Random& random, const MessageInfo& message, Buffer& str
   stream.insert(stream.end(), out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
 }
 
+/// Of all versions.
+const MessageInfo& random_message(Random& random) {
+  const auto index = random.below(testing::messages.size() + testing::messages_v09.size());
+  return index < testing::messages.size() ? *testing::messages[index]
+                                          : *testing::messages_v09[index - testing::messages.size()];
+}
+
 Traffic make_traffic(Random& random, int count) {
   Traffic traffic;
   for (int i = 0; i < count; ++i) {
     const auto offset = traffic.stream.size();
-    const auto& message = *testing::messages[random.below(testing::messages.size())];
-    append_random_frame(random, message, traffic.stream);
+    append_random_frame(random, random_message(random), traffic.stream);
     traffic.frames.push_back({offset, traffic.stream.size() - offset});
   }
   return traffic;
@@ -184,11 +193,14 @@ TEST(ParserInNoiseSeeded, DeliversCleanTrafficWholly) {
 /// and damage.
 Buffer hostile_stream(Random& random) {
   constexpr MessageInfo stranger{MessageId{109}, "RADIO_STATUS", 185, 9, 9, {}};
+  static constexpr std::array<FieldInfo, 1> byte_field{
+      {{"", FieldType::uint8, 9, 0, false, "", "", nullptr, false, true}}};
+  constexpr MessageInfo old_stranger{MessageId{110}, "", 0, 9, 9, byte_field};
   Buffer stream;
   for (int i = 0; i < 40; ++i) {
     const auto kind = random.below(9);
-    if (kind < 3) append_random_frame(random, *testing::messages[random.below(testing::messages.size())], stream);
-    if (kind >= 3 && kind < 6) append_random_frame(random, stranger, stream);
+    if (kind < 3) append_random_frame(random, random_message(random), stream);
+    if (kind >= 3 && kind < 6) append_random_frame(random, random.chance(0.3) ? old_stranger : stranger, stream);
     if (kind == 6)
       for (auto size = random.below(30); size > 0; --size)
         stream.push_back(random.chance(0.5) ? random.byte() : static_cast<std::byte>(0xFD + random.below(2)));

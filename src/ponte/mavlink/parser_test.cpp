@@ -1,10 +1,10 @@
 #include "ponte/mavlink/parser.hpp"
 
 #include "ponte/core/hex.hpp"
+#include "ponte/core/random.hpp"
 #include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/test_messages.hpp"
 #include "support/bytes.hpp"
-#include "ponte/core/random.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,6 +32,7 @@ const Buffer heartbeat = bytes(testing::heartbeat_frame);
 const Buffer heartbeat_v1 = bytes(testing::heartbeat_v1_frame);
 const Buffer heartbeat_signed = bytes(testing::heartbeat_signed_frame);
 const Buffer attitude = bytes(testing::attitude_frame);
+const Buffer attitude_v09 = bytes(testing::attitude_v09_frame);
 const Buffer unknown = bytes(testing::radio_status_frame);
 const Buffer noise = bytes("49 6e 69 74");
 
@@ -133,6 +134,48 @@ TEST(Parser, DeliversFramesOfBothVersionsSignedOrNot) {
   EXPECT_EQ(outcome.counters.unknown_frames, 0U);
 }
 
+TEST(Parser, TellsTheVersionsOfOneStreamApart) {
+  const auto stream = attitude_v09 + attitude + heartbeat_v1 + attitude_v09 + heartbeat;
+  EXPECT_THAT(from_stream(stream).frames, ElementsAre("ATTITUDE", "ATTITUDE", "HEARTBEAT", "ATTITUDE", "HEARTBEAT"));
+  struct Versions : FrameSink {
+    void on_frame(const FrameView& frame, const MessageInfo* message) override {
+      EXPECT_EQ(message->is_v09(), frame.version == Version::v0_9);
+      seen.push_back(frame.version);
+    }
+    std::vector<Version> seen;
+  } sink;
+  Parser{testing::dialect}.on_bytes(start, stream, sink);
+  EXPECT_THAT(sink.seen, ElementsAre(Version::v0_9, Version::v2, Version::v1, Version::v0_9, Version::v2));
+}
+
+TEST(Parser, AMessageOfMavlink09IsKnownByItsLengthToo) {
+  auto longer = attitude_v09;
+  longer[1] = std::byte{33};
+  longer.resize(longer.size() + 1);
+  store_le(&longer[longer.size() - 2], crc_of(Bytes{longer}.subspan(1, longer.size() - 3)));
+  EXPECT_THAT(from_stream(longer + attitude_v09).frames, ElementsAre("unknown", "ATTITUDE"));
+  longer.back() ^= std::byte{1};
+  const auto outcome = from_stream(longer + attitude_v09);
+  EXPECT_THAT(outcome.frames, ElementsAre("ATTITUDE"));
+  EXPECT_EQ(skipped(outcome, SkipReason::checksum), 1U);
+}
+
+TEST(Parser, SaysHowManyBytesItNeeds) {
+  Parser parser{testing::dialect};
+  Recorder recorder;
+  EXPECT_EQ(parser.bytes_needed(), 8U);
+  for (const auto& frame : {attitude_v09, heartbeat_v1, heartbeat, heartbeat_signed}) {
+    std::size_t fed = 0;
+    while (fed < frame.size()) {
+      const auto wanted = parser.bytes_needed();
+      ASSERT_LE(fed + wanted, frame.size());
+      parser.on_bytes(start, Bytes{frame}.subspan(fed, wanted), recorder);
+      fed += wanted;
+    }
+  }
+  EXPECT_EQ(recorder.frames.size(), 4U);
+}
+
 TEST(Parser, DeliversAViewIntoThePieceWithoutCopying) {
   Parser parser{testing::dialect};
   Recorder recorder;
@@ -189,7 +232,8 @@ TEST(Parser, CountsWhyAFalseStartWasNone) {
 class FalseStart : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Parser, FalseStart,
                          ::testing::Values("fd", "fe", "fd fe", "fe ff", "fd 09 00 00 00", "fd 1c 00", "fd ff 01",
-                                           "fe ff 00 01 01 00", "fd 1c 00 00 07 01 01 1e 00 00", "fd fd fd fe fe"));
+                                           "fe ff 00 01 01 00", "fd 1c 00 00 07 01 01 1e 00 00", "fd fd fd fe fe", "55",
+                                           "55 55 55", "55 20 01 01 01 1e"));
 
 TEST_P(FalseStart, CostsNoFrameOfADatagram) {
   EXPECT_THAT(from_datagram(bytes(GetParam()) + heartbeat + attitude).frames, ElementsAre("HEARTBEAT", "ATTITUDE"));

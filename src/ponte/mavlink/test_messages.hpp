@@ -128,9 +128,70 @@ struct Everything {
   friend bool operator==(const Everything&, const Everything&) = default;
 };
 
+/// MAVLink 0.9.
+struct AttitudeV09 {
+  std::uint64_t usec{};
+  float roll{};
+  float pitch{};
+  float yaw{};
+  float rollspeed{};
+  float pitchspeed{};
+  float yawspeed{};
+
+  static constexpr std::array<FieldInfo, 7> fields{{
+      {"usec", FieldType::uint64, 0, 0, false, "us", "", nullptr, false, true},
+      {"roll", FieldType::float32, 0, 8, false, "rad", "", nullptr, false, true},
+      {"pitch", FieldType::float32, 0, 12, false, "rad", "", nullptr, false, true},
+      {"yaw", FieldType::float32, 0, 16, false, "rad", "", nullptr, false, true},
+      {"rollspeed", FieldType::float32, 0, 20, false, "rad/s", "", nullptr, false, true},
+      {"pitchspeed", FieldType::float32, 0, 24, false, "rad/s", "", nullptr, false, true},
+      {"yawspeed", FieldType::float32, 0, 28, false, "rad/s", "", nullptr, false, true},
+  }};
+  static constexpr MessageInfo info{MessageId{30}, "ATTITUDE", 0, 32, 32, fields};
+
+  template <class Self, class Visitor>
+  static constexpr void visit(Self& self, Visitor&& visitor) {
+    visitor(fields[0], self.usec);
+    visitor(fields[1], self.roll);
+    visitor(fields[2], self.pitch);
+    visitor(fields[3], self.yaw);
+    visitor(fields[4], self.rollspeed);
+    visitor(fields[5], self.pitchspeed);
+    visitor(fields[6], self.yawspeed);
+  }
+
+  friend bool operator==(const AttitudeV09&, const AttitudeV09&) = default;
+};
+
+/// Not a real message: as long as a longest text, and of another length than a second one with the same id.
+struct EverythingV09 {
+  std::array<std::int16_t, 3> triple{};
+  Text<30> text{};
+  double fine{};
+
+  static constexpr std::array<FieldInfo, 3> fields{{
+      {"triple", FieldType::int16, 3, 0, false, "", "", nullptr, false, true},
+      {"text", FieldType::character, 30, 6, false, "", "", nullptr, false, true},
+      {"fine", FieldType::float64, 0, 36, false, "", "", nullptr, false, true},
+  }};
+  static constexpr MessageInfo info{MessageId{30}, "EVERYTHING", 0, 44, 44, fields};
+
+  template <class Self, class Visitor>
+  static constexpr void visit(Self& self, Visitor&& visitor) {
+    visitor(fields[0], self.triple);
+    visitor(fields[1], self.text);
+    visitor(fields[2], self.fine);
+  }
+
+  friend bool operator==(const EverythingV09&, const EverythingV09&) = default;
+};
+
+inline constexpr std::array<const MessageInfo*, 2> messages_v09{&AttitudeV09::info, &EverythingV09::info};
+inline constexpr Dialect dialect_v09{"testing_v09", messages_v09};
+
 inline constexpr std::array<const MessageInfo*, 4> messages{&Heartbeat::info, &Attitude::info, &Statustext::info,
                                                             &Everything::info};
-inline constexpr Dialect dialect{"testing", messages};
+inline constexpr Dialect dialect{"testing", messages, &dialect_v09};
 
 // Frames as pymavlink 2.4.50 writes them.
 /// HEARTBEAT of system 1, component 1, sequence 42.
@@ -140,6 +201,11 @@ inline constexpr auto heartbeat_v1_frame = "fe 09 2a 01 01 00  04 00 00 00 02 03
 /// The same, signed with the key 00 01 ... 1f, link id 7, time stamp 1000.
 inline constexpr auto heartbeat_signed_frame =
     "fd 09 01 00 2a 01 01 00 00 00  04 00 00 00 02 03 51 04 03  68 59  07 e8 03 00 00 00 00 8b d6 38 6f 45 f6";
+/// ATTITUDE of MAVLink 0.9, as the C headers of 2011 write it: 0.1, 0.2, 0.3 rad and 0.01, 0.02, 0.03 rad/s.
+inline constexpr auto attitude_v09_frame =
+    "55 20 01 01 01 1e  00 00 00 00 00 0f 42 40 3d cc cc cd 3e 4c cc cd 3e 99 99 9a 3c 23 d7 0a 3c a3 d7 0a 3c f5 c2 "
+    "8f "
+    " 24 c6";
 /// ATTITUDE of system 1, component 1, sequence 7.
 inline constexpr auto attitude_frame =
     "fd 1c 00 00 07 01 01 1e 00 00  40 e2 01 00 cd cc cc 3d cd cc 4c be 00 00 40 40 0a d7 23 3c 0a d7 a3 3c 8f c2 f5 "

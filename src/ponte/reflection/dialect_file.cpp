@@ -67,7 +67,8 @@ struct DialectFile::Tables {
                       .unit = field.unit,
                       .invalid = field.invalid,
                       .enumeration = find(field.enumeration),
-                      .instance = field.instance});
+                      .instance = field.instance,
+                      .big_endian = model.v09});
     messages.push_back({.id = mavlink::MessageId{message.number},
                         .name = message.name,
                         .crc_extra = message.crc_extra,
@@ -106,10 +107,11 @@ DialectFile parse_dialect(std::string_view text, const std::filesystem::path& na
 }
 
 std::vector<const MessageInfo*> messages_of(const mavlink::Dialect& first, const mavlink::Dialect& second) {
+  const auto key = [](const MessageInfo* message) {
+    return std::pair{message->id, message->is_v09() ? message->full_length : 0};
+  };
   std::vector<const MessageInfo*> both;
-  std::ranges::set_union(
-      first.messages, second.messages, std::back_inserter(both), {},
-      [](const MessageInfo* message) { return message->id; }, [](const MessageInfo* message) { return message->id; });
+  std::ranges::set_union(first.messages, second.messages, std::back_inserter(both), {}, key, key);
   return both;
 }
 

@@ -18,7 +18,8 @@ class DialectFile {
   DialectFile& operator=(DialectFile&&) noexcept;
   ~DialectFile();
 
-  /// Valid as long as this object, or the one it was moved to.
+  /// Valid as long as this object, or the one it was moved to. Of a file with wire="0.9"
+  /// (definitions/mavlink/README.md) it is what belongs into the `v09` of another dialect.
   [[nodiscard]] const mavlink::Dialect& dialect() const;
 
  private:
@@ -38,7 +39,8 @@ class DialectFile {
 /// The same from a text in memory, where includes are refused. `name` names the dialect, and the text in errors.
 [[nodiscard]] DialectFile parse_dialect(std::string_view text, const std::filesystem::path& name);
 
-/// The messages of two dialects by id, ascending; where both have one with the same id, that of `first`.
+/// The messages of two dialects by id, ascending; where both have one with the same id, in MAVLink 0.9 also of the same
+/// length, that of `first`.
 [[nodiscard]] std::vector<const mavlink::MessageInfo*> messages_of(const mavlink::Dialect& first,
                                                                    const mavlink::Dialect& second);
 

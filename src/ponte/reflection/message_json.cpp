@@ -170,32 +170,35 @@ void read_fields(const Json& fields, const mavlink::MessageInfo& message, Mutabl
   }
 }
 
-/// An integer member of the object, or what stands in for a missing one.
-std::uint32_t number_of(const Json& object, const char* name, std::uint32_t least, std::uint32_t most,
-                        std::uint32_t otherwise) {
+/// A member of the object that is an integer from 0, or what stands in for a missing one.
+std::uint32_t number_of(const Json& object, const char* name, std::uint32_t most, std::uint32_t otherwise) {
   const auto value = object.find(name);
   if (value == object.end()) return otherwise;
-  if (!value->is_number_unsigned() || value->get<std::uint64_t>() < least || value->get<std::uint64_t>() > most)
-    refuse(name, shown(*value), fmt::format("an integer from {} to {}", least, most));
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > most)
+    refuse(name, shown(*value), fmt::format("an integer from 0 to {}", most));
   return value->get<std::uint32_t>();
 }
 
 const mavlink::MessageInfo& message_of(const Json& object, const mavlink::Dialect& dialect) {
-  const auto id = object.find("id");
   const auto name = object.find("name");
-  if (name == object.end() && id == object.end()) refuse("name", "missing", "the name of a message");
-  const mavlink::MessageInfo* by_id{};
-  if (id != object.end()) {
-    by_id = dialect.find(mavlink::MessageId{number_of(object, "id", 0, 0xFFFFFF, 0)});
-    if (by_id == nullptr) refuse("id", shown(*id), fmt::format("the id of a message of {}", dialect.name));
-    if (name == object.end()) return *by_id;
-  }
-  const auto* by_name =
+  if (name == object.end()) refuse("name", "missing", "the name of a message");
+  const auto* message =
       name->is_string() ? dialect.find(std::string_view{name->get_ref<const std::string&>()}) : nullptr;
-  if (by_name == nullptr) refuse("name", shown(*name), fmt::format("the name of a message of {}", dialect.name));
-  if (by_id != nullptr && by_id != by_name)
-    refuse("name", shown(*name), fmt::format("{}, as the id says", by_id->name));
-  return *by_name;
+  if (message == nullptr) refuse("name", shown(*name), fmt::format("the name of a message of {}", dialect.name));
+  const auto id = message->id.value;
+  if (number_of(object, "id", 0xFFFFFF, id) != id)
+    refuse("id", shown(object["id"]), fmt::format("{}, or none, for {}", id, message->name));
+  return *message;
+}
+
+mavlink::Version version_of(const Json& object, bool is_v09) {
+  using mavlink::Version;
+  const auto version = object.find("version");
+  if (version == object.end()) return is_v09 ? Version::v0_9 : Version::v2;
+  if (*version == 0.9 && is_v09) return Version::v0_9;
+  if (*version == 1 && !is_v09) return Version::v1;
+  if (*version == 2 && !is_v09) return Version::v2;
+  refuse("version", shown(*version), is_v09 ? "0.9" : "1 or 2");
 }
 
 JsonMessage read(std::string_view text, const mavlink::Dialect& dialect) {
@@ -205,9 +208,10 @@ JsonMessage read(std::string_view text, const mavlink::Dialect& dialect) {
     if (std::ranges::find(known_members, name) == known_members.end())
       refuse(name, "no member of a message", fmt::format("one of {}", fmt::join(known_members, ", ")));
   JsonMessage result;
-  result.message = &message_of(object, dialect);
-  const auto byte_of = [&](const char* name) { return static_cast<std::uint8_t>(number_of(object, name, 0, 255, 0)); };
-  result.header = {.version = number_of(object, "version", 1, 2, 2) == 1 ? mavlink::Version::v1 : mavlink::Version::v2,
+  const bool wants_v09 = dialect.v09 != nullptr && object.value("version", Json{}) == 0.9;
+  result.message = &message_of(object, wants_v09 ? *dialect.v09 : dialect);
+  const auto byte_of = [&](const char* name) { return static_cast<std::uint8_t>(number_of(object, name, 255, 0)); };
+  result.header = {.version = version_of(object, result.message->is_v09()),
                    .system = mavlink::SystemId{byte_of("system")},
                    .component = mavlink::ComponentId{byte_of("component")},
                    .sequence = byte_of("sequence")};

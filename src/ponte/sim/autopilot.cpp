@@ -7,6 +7,7 @@
 #include "ponte/mavlink/autopilots/set_mode.hpp"
 #include "ponte/mavlink/autopilots/statustext.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/mavlink/v09/statustext.hpp"
 
 namespace ponte::sim {
 
@@ -33,7 +34,7 @@ Autopilot::Autopilot(const VehicleConfig& config, Timestamp boot)
       sensors_{config.seed, config.noise},
       flight_{config.fly_square, config.square},
       sender_{config.version, config.system, config.component},
-      rates_{telemetry_streams()} {
+      rates_{telemetry_streams(config.version)} {
   snapshot_.system = config.system;
 }
 
@@ -47,12 +48,12 @@ void Autopilot::report(Timestamp now, std::uint64_t step, const Copter& copter, 
   snapshot_.since_boot = now - boot_;
   update(copter, step);
   tell_progress(out);
-  if (snapshot_.since_boot > Duration{} && snapshot_.since_boot % time_question_interval == Duration{})
+  if (!speaks_v09() && snapshot_.since_boot > Duration{} &&
+      snapshot_.since_boot % time_question_interval == Duration{})
     ask_time(now, out);
 
-  const auto rows = telemetry_rows();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (rates_.take_due(i, snapshot_.since_boot)) rows[i].send(snapshot_, sender_, out);
+  for (std::size_t i = 0; i < rows().size(); ++i)
+    if (rates_.take_due(i, snapshot_.since_boot)) rows()[i].send(snapshot_, sender_, out);
 }
 
 /// What it knows from now on.
@@ -100,6 +101,10 @@ bool Autopilot::has_just_passed(Duration moment) const {
 
 void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out) {
   if (frame.system == config_.system && frame.component == config_.component) return;  // our own, come back
+  if (speaks_v09() || frame.version == mavlink::Version::v0_9) {
+    if (speaks_v09()) on_frame_v09(frame, copter, out);
+    return;
+  }
   const Requester requester{frame.system, frame.component};
   switch (frame.message.value) {
     case CommandLong::info.id.value: {
@@ -115,17 +120,12 @@ void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Copter&
       acknowledge(messages::SetMode::info.id.value, result, requester, out);
       return;
     }
-    case messages::RequestDataStream::info.id.value: request_stream(frame); return;
+    case messages::RequestDataStream::info.id.value:
+      request_stream(mavlink::decode<messages::RequestDataStream>(frame));
+      return;
     case messages::Timesync::info.id.value: answer_time(now, mavlink::decode<messages::Timesync>(frame), out); return;
     default: return;
   }
-}
-
-void Autopilot::request_stream(const mavlink::FrameView& frame) {
-  const auto request = mavlink::decode<messages::RequestDataStream>(frame);
-  if (!is_for_us(request.target_system)) return;
-  const std::uint32_t per_second = request.start_stop == 1 ? request.req_message_rate : 0;
-  rates_.request_stream(static_cast<Stream>(request.req_stream_id), per_second, snapshot_.since_boot);
 }
 
 void Autopilot::answer_time(Timestamp now, const messages::Timesync& request, Outbox<Frame>& out) {
@@ -140,11 +140,15 @@ void Autopilot::ask_time(Timestamp now, Outbox<Frame>& out) {
 }
 
 void Autopilot::say(std::uint8_t severity, std::string_view text, Outbox<Frame>& out) {
-  sender_.send(messages::Statustext{.severity = severity, .text = text}, out);
+  if (!speaks_v09()) return sender_.send(messages::Statustext{.severity = severity, .text = text}, out);
+  const bool is_critical = severity <= messages::MAV_SEVERITY_CRITICAL;
+  sender_.send(mavlink::v09::Statustext{.severity = static_cast<std::uint8_t>(is_critical ? 255 : 0), .text = text},
+               out);
 }
 
 void Autopilot::send_row(mavlink::MessageId id, Outbox<Frame>& out) {
-  if (const auto row = find_telemetry_row(id)) telemetry_rows()[*row].send(snapshot_, sender_, out);
+  if (speaks_v09()) return;
+  if (const auto row = find_telemetry_row(id)) rows()[*row].send(snapshot_, sender_, out);
 }
 
 bool Autopilot::is_for_us(std::uint8_t target_system) const {

@@ -27,7 +27,8 @@ class Autopilot {
   /// After the copter's step, at the time of the step: what there is to tell. `step` counts the steps since power-on.
   void report(Timestamp now, std::uint64_t step, const Copter& copter, Outbox<Frame>& out);
 
-  /// A frame from outside, of a known message and with the right checksum.
+  /// A frame from outside, of a known message and with the right checksum. An autopilot of MAVLink 0.9 understands no
+  /// other version, and the others do not understand that one.
   void on_frame(Timestamp now, const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out);
 
   /// It was told to start anew, and has said that it will.
@@ -51,7 +52,11 @@ class Autopilot {
   [[nodiscard]] std::uint8_t reboot(const CommandLong& command, const Copter& copter);
   void acknowledge(std::uint16_t command, std::uint8_t result, Requester requester, Outbox<Frame>& out);
 
-  void request_stream(const mavlink::FrameView& frame);
+  // commands_v09.cpp
+  void on_frame_v09(const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t act(std::uint8_t action, Copter& copter, Outbox<Frame>& out);
+
+  void request_stream(const auto& request);
   void answer_time(Timestamp now, const mavlink::autopilots::Timesync& request, Outbox<Frame>& out);
   void ask_time(Timestamp now, Outbox<Frame>& out);
   void update(const Copter& copter, std::uint64_t step);
@@ -59,8 +64,10 @@ class Autopilot {
   void say(std::uint8_t severity, std::string_view text, Outbox<Frame>& out);
   void send_row(mavlink::MessageId id, Outbox<Frame>& out);
 
+  [[nodiscard]] std::span<const TelemetryRow> rows() const { return telemetry_rows(config_.version); }
   [[nodiscard]] bool is_for_us(std::uint8_t target_system) const;
   [[nodiscard]] bool has_just_passed(Duration moment) const;
+  [[nodiscard]] bool speaks_v09() const { return config_.version == mavlink::Version::v0_9; }
 
   VehicleConfig config_;
   Timestamp boot_;
@@ -71,5 +78,12 @@ class Autopilot {
   Snapshot snapshot_;  // of the last step
   bool wants_reboot_{};
 };
+
+/// REQUEST_DATA_STREAM of any version.
+void Autopilot::request_stream(const auto& request) {
+  if (!is_for_us(request.target_system)) return;
+  const std::uint32_t per_second = request.start_stop == 1 ? request.req_message_rate : 0;
+  rates_.request_stream(static_cast<Stream>(request.req_stream_id), per_second, snapshot_.since_boot);
+}
 
 }  // namespace ponte::sim

@@ -43,7 +43,7 @@ void Autopilot::on_command(const CommandLong& command, Requester requester, Copt
   const auto result = execute(command, copter, out);
   acknowledge(command.command, result, requester, out);
   if (result != messages::MAV_RESULT_ACCEPTED || command.command != messages::MAV_CMD_REQUEST_MESSAGE) return;
-  if (const auto row = row_named_by(command.param1)) telemetry_rows()[*row].send(snapshot_, sender_, out);
+  if (const auto row = row_named_by(command.param1)) rows()[*row].send(snapshot_, sender_, out);
 }
 
 std::uint8_t Autopilot::execute(const CommandLong& command, Copter& copter, Outbox<Frame>& out) {
@@ -133,7 +133,7 @@ std::uint8_t Autopilot::set_message_interval(const CommandLong& command, Outbox<
   const Duration interval = std::chrono::microseconds{microseconds};
   if (interval < MessageRates::shortest_interval) {
     std::array<char, 50> text{};
-    const auto id = telemetry_rows()[*row].info->id.value;
+    const auto id = rows()[*row].info->id.value;
     say(messages::MAV_SEVERITY_INFO, format_to(text, "Requested rate for message ID {} too fast.", id), out);
     return messages::MAV_RESULT_DENIED;
   }

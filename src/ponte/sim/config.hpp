@@ -19,7 +19,7 @@ struct SquareConfig {
 struct VehicleConfig {
   mavlink::SystemId system{1};
   mavlink::ComponentId component{1};
-  mavlink::Version version{mavlink::Version::v2};  ///< of what it sends; it understands both
+  mavlink::Version version{mavlink::Version::v2};  ///< of what it sends; with 1 and 2 it understands both
 
   Position start{radians_from_degrees(-30.06898), radians_from_degrees(-51.12179), Metres{50}};
   Radians heading{};

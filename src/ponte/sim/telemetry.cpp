@@ -1,78 +1,53 @@
 #include "ponte/sim/telemetry.hpp"
 
 #include "ponte/sim/telemetry_messages.hpp"
+#include "ponte/sim/telemetry_row.hpp"
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 namespace ponte::sim {
 namespace {
 
-void send_made(const auto& message, FrameSender& sender, Outbox<Frame>& out) { sender.send(message, out); }
-
-template <class M>
-void send_made(const std::optional<M>& message, FrameSender& sender, Outbox<Frame>& out) {
-  if (message) sender.send(*message, out);
-}
-
-template <class M>
-struct Made {
-  using type = M;
-};
-template <class M>
-struct Made<std::optional<M>> {
-  using type = M;
-};
-
-/// The row of the message that `make` makes.
-template <auto make>
-constexpr TelemetryRow row(Stream stream) {
-  using M = typename Made<std::invoke_result_t<decltype(make), const Snapshot&>>::type;
-  return {&M::info, stream, [](const Snapshot& snapshot, FrameSender& sender, Outbox<Frame>& out) {
-            send_made(make(snapshot), sender, out);
-          }};
-}
-
 constexpr std::array rows{
-    row<heartbeat>(Stream::heartbeat),
-    row<attitude_message>(Stream::extra1),
-    row<global_position>(Stream::position),
-    row<local_position>(Stream::position),
-    row<vfr_hud>(Stream::extra2),
-    row<sys_status>(Stream::extended_status),
-    row<nav_controller_output>(Stream::extended_status),
-    row<mission_current>(Stream::extended_status),
-    row<gps_raw>(Stream::extended_status),
-    row<position_target>(Stream::extended_status),
-    row<servo_output>(Stream::rc_channels),
-    row<rc_channels>(Stream::rc_channels),
-    row<raw_imu>(Stream::raw_sensors),
-    row<scaled_pressure>(Stream::raw_sensors),
-    row<system_time>(Stream::extra3),
-    row<battery_status>(Stream::extra3),
-    row<wind>(Stream::extra3),
-    row<scaled_imu>(Stream::none),
-    row<extended_sys_state>(Stream::none),
-    row<home_position>(Stream::none),
-    row<gps_global_origin>(Stream::none),
-    row<autopilot_version>(Stream::none),
+    telemetry_row<heartbeat>(Stream::heartbeat),
+    telemetry_row<attitude_message>(Stream::extra1),
+    telemetry_row<global_position>(Stream::position),
+    telemetry_row<local_position>(Stream::position),
+    telemetry_row<vfr_hud>(Stream::extra2),
+    telemetry_row<sys_status>(Stream::extended_status),
+    telemetry_row<nav_controller_output>(Stream::extended_status),
+    telemetry_row<mission_current>(Stream::extended_status),
+    telemetry_row<gps_raw>(Stream::extended_status),
+    telemetry_row<position_target>(Stream::extended_status),
+    telemetry_row<servo_output>(Stream::rc_channels),
+    telemetry_row<rc_channels>(Stream::rc_channels),
+    telemetry_row<raw_imu>(Stream::raw_sensors),
+    telemetry_row<scaled_pressure>(Stream::raw_sensors),
+    telemetry_row<system_time>(Stream::extra3),
+    telemetry_row<battery_status>(Stream::extra3),
+    telemetry_row<wind>(Stream::extra3),
+    telemetry_row<scaled_imu>(Stream::none),
+    telemetry_row<extended_sys_state>(Stream::none),
+    telemetry_row<home_position>(Stream::none),
+    telemetry_row<gps_global_origin>(Stream::none),
+    telemetry_row<autopilot_version>(Stream::none),
 };
 
-constexpr auto streams = [] {
-  std::array<Stream, rows.size()> result{};
-  std::transform(rows.begin(), rows.end(), result.begin(), [](const TelemetryRow& each) { return each.stream; });
-  return result;
-}();
+constexpr auto streams = streams_of(rows);
 static_assert(rows.size() <= MessageRates::capacity);
 static_assert(std::all_of(rows.begin(), rows.end(), [](const TelemetryRow& each) { return each.info->id.value < 256; }),
               "MAVLink 1 has to be able to carry them");
 
 }  // namespace
 
-std::span<const TelemetryRow> telemetry_rows() { return rows; }
+std::span<const TelemetryRow> telemetry_rows(mavlink::Version version) {
+  return version == mavlink::Version::v0_9 ? telemetry_rows_v09() : rows;
+}
 
-std::span<const Stream> telemetry_streams() { return streams; }
+std::span<const Stream> telemetry_streams(mavlink::Version version) {
+  return version == mavlink::Version::v0_9 ? telemetry_streams_v09() : streams;
+}
 
 std::optional<std::size_t> find_telemetry_row(mavlink::MessageId id) {
   const auto found =

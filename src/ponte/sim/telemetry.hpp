@@ -49,11 +49,13 @@ struct TelemetryRow {
   void (*send)(const Snapshot& snapshot, FrameSender& sender, Outbox<Frame>& out);
 };
 
-/// All of them, in the order in which those of one step are sent.
-[[nodiscard]] std::span<const TelemetryRow> telemetry_rows();
-/// The streams of `telemetry_rows`.
-[[nodiscard]] std::span<const Stream> telemetry_streams();
-/// The place among `telemetry_rows` of the message with this id, or nothing.
+/// All of this version, in the order in which those of one step are sent.
+[[nodiscard]] std::span<const TelemetryRow> telemetry_rows(mavlink::Version version);
+[[nodiscard]] std::span<const TelemetryRow> telemetry_rows_v09();
+/// The streams of these rows.
+[[nodiscard]] std::span<const Stream> telemetry_streams(mavlink::Version version);
+[[nodiscard]] std::span<const Stream> telemetry_streams_v09();
+/// The place among the rows of MAVLink 1 and 2 of the message with this id, or nothing.
 [[nodiscard]] std::optional<std::size_t> find_telemetry_row(mavlink::MessageId id);
 
 }  // namespace ponte::sim

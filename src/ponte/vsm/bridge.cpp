@@ -1,6 +1,6 @@
 #include "ponte/vsm/bridge.hpp"
 
-#include "ponte/mavlink/autopilots/dialect.hpp"
+#include "ponte/autopilot/dialect.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace ponte::vsm {
 using autopilot::FleetFact;
 using autopilot::LinkId;
 
-Bridge::Link::Link(LinkId number) : id{number}, parser{mavlink::autopilots::dialect} {}
+Bridge::Link::Link(LinkId number) : id{number}, parser{autopilot::dialect} {}
 
 Bridge::Bridge(BridgeConfig config, BridgeListener* listener)
     : fleet_{config.fleet}, telemetry_{std::move(config.telemetry), config.rates}, listener_{listener} {

@@ -11,6 +11,13 @@
 #include "ponte/mavlink/autopilots/scaled_imu.hpp"
 #include "ponte/mavlink/autopilots/vfr_hud.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/mavlink/v09/attitude.hpp"
+#include "ponte/mavlink/v09/enums.hpp"
+#include "ponte/mavlink/v09/global_position.hpp"
+#include "ponte/mavlink/v09/global_position_int.hpp"
+#include "ponte/mavlink/v09/heartbeat.hpp"
+#include "ponte/mavlink/v09/scaled_imu.hpp"
+#include "ponte/mavlink/v09/vfr_hud.hpp"
 #include "ponte/vsm/changes.hpp"
 
 #include <algorithm>
@@ -20,6 +27,7 @@ namespace ponte::vsm {
 namespace {
 
 namespace from = mavlink::autopilots;
+namespace from_v09 = mavlink::v09;
 namespace to = dli::messages;
 using vehicle::Revision;
 using vehicle::State;
@@ -27,9 +35,10 @@ using vehicle::State;
 constexpr std::size_t alerts_at_once = 16;
 constexpr mavlink::ComponentId usual_autopilot{1};
 
-template <mavlink::Message M>
-bool is(const mavlink::FrameView& frame) {
-  return frame.message == M::info.id;
+/// Whether it is one of these messages.
+template <mavlink::Message... M>
+bool carries_any(const mavlink::FrameView& frame) {
+  return (mavlink::carries<M>(frame) || ...);
 }
 
 /// The `target_system` of a message that has one.
@@ -143,9 +152,12 @@ Telemetry::Vehicle* Telemetry::vehicle_that_sent(const mavlink::FrameView& frame
       std::ranges::lower_bound(vehicles_, frame.system, {}, [](const auto& entry) { return entry->system; });
   const bool is_known = place != vehicles_.end() && (*place)->system == frame.system;
   std::optional<bool> says_autopilot;
-  if (is<from::Heartbeat>(frame)) {
+  if (mavlink::carries<from::Heartbeat>(frame)) {
     const auto heartbeat = mavlink::decode<from::Heartbeat>(frame);
     says_autopilot = heartbeat.autopilot != from::MAV_AUTOPILOT_INVALID && heartbeat.type != from::MAV_TYPE_GCS;
+  } else if (mavlink::carries<from_v09::Heartbeat>(frame)) {
+    const auto heartbeat = mavlink::decode<from_v09::Heartbeat>(frame);
+    says_autopilot = heartbeat.autopilot != from_v09::MAV_AUTOPILOT_NONE && heartbeat.type != from_v09::OCU;
   }
 
   if (!is_known) {
@@ -178,16 +190,16 @@ void Telemetry::on_frame(Timestamp now, WallTime received, const mavlink::FrameV
 
   // A position that no message has carried yet goes out before the next one replaces it.
   auto& inertial = vehicle.stream<to::InertialStates>();
-  if (is<from::GlobalPositionInt>(frame) && rates_.inertial_pause == Duration{} &&
-      vehicle.monitor.state().latitude.newer_than(inertial.told))
+  if (carries_any<from::GlobalPositionInt, from_v09::GlobalPositionInt, from_v09::GlobalPosition>(frame) &&
+      rates_.inertial_pause == Duration{} && vehicle.monitor.state().latitude.newer_than(inertial.told))
     send_stream<to::InertialStates>(vehicle, now, received, out);
   vehicle.monitor.on_message(now, received, frame, vehicle.alerts);
 
-  if (is<from::Attitude>(frame)) vehicle.inertial_due = std::max(now, inertial.allowed);
-  if (is<from::VfrHud>(frame))
+  if (carries_any<from::Attitude, from_v09::Attitude>(frame)) vehicle.inertial_due = std::max(now, inertial.allowed);
+  if (carries_any<from::VfrHud, from_v09::VfrHud>(frame))
     vehicle.air_due = std::max(now, vehicle.stream<to::AirAndGroundRelativeStates>().allowed);
   auto& body = vehicle.stream<to::BodyRelativeSensedStates>();
-  if ((is<from::HighresImu>(frame) || is<from::ScaledImu>(frame)) && body.allowed <= now &&
+  if (carries_any<from::HighresImu, from::ScaledImu, from_v09::ScaledImu>(frame) && body.allowed <= now &&
       send_stream<to::BodyRelativeSensedStates>(vehicle, now, received, out))
     body.allowed = now + rates_.body_pause;
   const auto wait_for = [&](std::optional<Timestamp>& due, Duration longest) {

@@ -132,9 +132,10 @@ std::string field_text(double number) { return std::isnan(number) ? "NaN" : deci
 
 void append_line(std::string& text, const NumberedItem& item, bool is_current) {
   text += fmt::format("{}\t{}\t{}\t{}", item.number, is_current ? 1 : 0, item.command.frame, item.command.command);
+  const bool may_lack_place =
+      vehicle::has_place(item.command.command) && vehicle::altitude_frame(item.command.frame).has_value();
   for (std::size_t i = 0; i < item.command.parameters.size(); ++i) {
-    const bool is_absent_place =
-        (i == 4 || i == 5) && std::isnan(item.command.parameters[i]) && vehicle::has_place(item.command.command);
+    const bool is_absent_place = may_lack_place && (i == 4 || i == 5) && std::isnan(item.command.parameters[i]);
     text += '\t' + (is_absent_place ? "0" : field_text(item.command.parameters[i]));
   }
   text += fmt::format("\t{}\n", item.waits ? 0 : 1);

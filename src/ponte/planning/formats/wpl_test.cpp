@@ -118,6 +118,13 @@ TEST(WriteWpl, AsMissionPlannerReadsIt) {
   EXPECT_THAT(writing->losses, ElementsAre("cruise speed", "name: item 2", "rally: point 1"));
 }
 
+TEST(WriteWpl, WhatIsAbsentInALocalFrameStaysAbsent) {
+  const auto mission = content(read("1\t0\t1\t16\t0\t0\t0\t0\t40\tNaN\t-20\t1\n")).mission;
+  const auto writing = write_wpl({.mission = mission});
+  ASSERT_TRUE(writing.has_value());
+  EXPECT_THAT(text_of(*writing), testing::HasSubstr("1\t0\t1\t16\t0\t0\t0\t0\t40\tNaN\t-20\t1\n"));
+}
+
 TEST(WriteWpl, APointNeedsAnAltitude) {
   MissionFile file;
   file.points.push_back({.place = place(47, 8), .priority = 3, .where = at_line(7)});

@@ -54,7 +54,7 @@ void BridgeView::on_crossing(const Crossing& crossing) {
     reject({Side::mavlink, crossing.link_id, "the table is full"}, 1, crossing.frame.whole.size());
   if (const auto link = mavlink_table_.links().find(crossing.link_id); link != mavlink_table_.links().end())
     link->second.revision = revision_;
-  if (crossing.frame.message == mavlink::autopilots::Statustext::info.id) read_status_text(crossing);
+  if (mavlink::carries<mavlink::autopilots::Statustext>(crossing.frame)) read_status_text(crossing);
 }
 
 void BridgeView::on_clock(Timestamp now, std::span<const OutgoingMessage> messages) {
