@@ -1,30 +1,6 @@
 # Message definitions become C++ in the build tree. A file is written only when its text changes, so an edit of one
 # definition does not rebuild the world; the stamp tells the build system that the generator has run.
 
-# ponte_add_dialect(NAME XML [DIGEST FILE]): the library ponte::mavlink_NAME with the messages of a MAVLink dialect,
-# headers `ponte/mavlink/NAME/*.hpp`. NAME is the XML file's name without extension. Files that the XML includes are
-# looked for beside it, in definitions/mavlink and in PONTE_MAVLINK_XML.
-function(ponte_add_dialect name xml)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "DIGEST" "")
-  set(folder ${CMAKE_BINARY_DIR}/generated/mavlink_${name})
-  set(stamp ${CMAKE_BINARY_DIR}/generated/mavlink_${name}.stamp)
-  set(sources ${folder}/ponte/mavlink/${name}/dialect.cpp ${folder}/ponte/mavlink/${name}/enums.cpp)
-  file(GLOB inputs CONFIGURE_DEPENDS ${PONTE_MAVLINK_XML}/*.xml ${CMAKE_SOURCE_DIR}/definitions/mavlink/*.xml)
-  set(command ponte_codegen mavlink --input ${xml} --include-dir ${CMAKE_SOURCE_DIR}/definitions/mavlink
-              --include-dir ${PONTE_MAVLINK_XML} --output ${folder})
-  if(arg_DIGEST)
-    list(APPEND command --digest ${arg_DIGEST})
-  endif()
-  add_custom_command(OUTPUT ${stamp} BYPRODUCTS ${sources}
-                     COMMAND ${command} COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-                     DEPENDS ponte_codegen ${xml} ${inputs} ${arg_DIGEST}
-                     COMMENT "Generating the MAVLink dialect ${name}" VERBATIM)
-  add_library(ponte_mavlink_${name} STATIC ${sources} ${stamp})
-  add_library(ponte::mavlink_${name} ALIAS ponte_mavlink_${name})
-  target_include_directories(ponte_mavlink_${name} PUBLIC ${folder})
-  target_link_libraries(ponte_mavlink_${name} PUBLIC ponte::mavlink PRIVATE ponte_options)
-endfunction()
-
 # ponte_add_dli_messages(FOLDER): the library ponte::dli_messages, headers `ponte/dli/messages/*.hpp`, and the
 # reference page docs/dli-messages.md in the build folder.
 function(ponte_add_dli_messages definitions)

@@ -7,6 +7,8 @@ option(PONTE_WERROR "Treat warnings as errors" OFF)
 set(PONTE_SANITIZE "" CACHE STRING "Value for -fsanitize=, empty for none")
 set(PONTE_MAVLINK_XML "" CACHE PATH
     "Folder with the MAVLink XML definitions; empty: those of the pinned pymavlink in build/venv")
+set(PONTE_DIALECTS "" CACHE STRING
+    "Dialects of that folder to be built besides ours, e.g. common;uAvionix: libraries ponte::mavlink_NAME, in lower case")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -27,6 +29,8 @@ if(NOT PONTE_MAVLINK_XML)
   endif()
   list(GET found 0 PONTE_MAVLINK_XML)
 endif()
+# Where the files that a dialect includes are looked for.
+set(PONTE_DIALECT_PATH ${CMAKE_SOURCE_DIR}/definitions/mavlink ${PONTE_MAVLINK_XML})
 
 find_package(fmt REQUIRED)
 find_package(pugixml REQUIRED)

@@ -1,8 +1,8 @@
 #include "codegen/digest.hpp"
 #include "codegen/dli_reader.hpp"
 #include "codegen/emit.hpp"
-#include "codegen/mavlink_reader.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <gmock/gmock.h>
 

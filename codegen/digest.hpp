@@ -1,10 +1,12 @@
 #pragma once
 
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
 /// The committed table of what every message looks like on the wire, so that a definition package cannot change under
 /// us: one line `id crc_extra base_length full_length NAME` per message, ascending.
 namespace ponte::codegen {
+
+using namespace definitions;
 
 [[nodiscard]] std::string digest_of(const Protocol& protocol);
 

@@ -1,7 +1,7 @@
 #include "codegen/digest.hpp"
 
-#include "codegen/mavlink_reader.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

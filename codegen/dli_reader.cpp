@@ -1,6 +1,6 @@
 #include "codegen/dli_reader.hpp"
 
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
 namespace ponte::codegen {
+
+using namespace definitions;
 
 /// Reads every *.toml of a folder of DLI definitions (definitions/dli/README.md explains the columns).
 /// Throws `DefinitionError`, also for a key that is not known, so that a slip of the pen is not passed over.

@@ -1,6 +1,6 @@
 #include "codegen/dli_reader.hpp"
 
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 #include "codegen/dli_reader.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "codegen/emit.hpp"
 
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +40,12 @@ void for_each_message(F&& f) {{
 }}  // namespace {}
 )",
                      generated_notice, includes, name_space, id_type, cases, calls, name_space);
+}
+
+std::string table_cell(std::string_view written) {
+  auto text = one_line(written);
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+  return text;
 }
 
 std::string unsigned_type_for(std::uint64_t largest) {

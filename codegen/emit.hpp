@@ -1,10 +1,12 @@
 #pragma once
 
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
 #include <map>
 
 namespace ponte::codegen {
+
+using namespace definitions;
 
 /// Texts of generated files by their path below the output folder.
 using Files = std::map<std::filesystem::path, std::string>;
@@ -13,6 +15,9 @@ using Files = std::map<std::filesystem::path, std::string>;
 /// under ponte/mavlink/NAME. With `descriptions`, the texts of the definition become comments; they are other people's
 /// and belong in a build tree only.
 [[nodiscard]] Files emit_mavlink(const Protocol& protocol, bool descriptions);
+
+/// The same as a Markdown page: every message with its fields, every enumeration with its values.
+[[nodiscard]] std::string emit_mavlink_reference(const Protocol& protocol, bool descriptions);
 
 /// C++ for the DLI: one header per message that has fields, `enumerations.hpp`, `enumerations.cpp`, `catalogue.hpp`,
 /// `catalogue.cpp`, `all.hpp` under ponte/dli/messages.
@@ -29,6 +34,9 @@ void write_files(const Files& files, const std::filesystem::path& folder);
 /// `for_each_message(f)` does so for every type.
 [[nodiscard]] std::string emit_all_header(const std::vector<const Message*>& messages, std::string_view include_folder,
                                           std::string_view name_space, std::string_view id_type);
+
+/// `written` as it can stand in a cell of a Markdown table.
+[[nodiscard]] std::string table_cell(std::string_view written);
 
 /// The smallest unsigned integer type of C++ that holds `largest`, e.g. "std::uint16_t".
 [[nodiscard]] std::string unsigned_type_for(std::uint64_t largest);

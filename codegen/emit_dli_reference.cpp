@@ -1,5 +1,5 @@
 #include "codegen/emit.hpp"
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,12 +8,6 @@
 
 namespace ponte::codegen {
 namespace {
-
-std::string cell(std::string_view written) {
-  auto text = one_line(written);
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
-  return text;
-}
 
 std::string type_of(const Field& field) {
   switch (field.kind) {
@@ -66,8 +60,8 @@ std::string message_section(const Message& message) {
                       message.presence_bytes[0], message.presence_bytes[1]);
   text += "| field | unique id | name | type | unit, scale, values |\n|---|---|---|---|---|\n";
   for (const auto& field : message.fields)
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", field.number, field.unique_id, cell(field.name), type_of(field),
-                        cell(meaning_of(field)));
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", field.number, field.unique_id, table_cell(field.name),
+                        type_of(field), table_cell(meaning_of(field)));
   return text + '\n';
 }
 

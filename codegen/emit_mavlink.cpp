@@ -1,5 +1,5 @@
 #include "codegen/emit.hpp"
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "codegen/emit.hpp"
 
 #include "codegen/dli_reader.hpp"
-#include "codegen/mavlink_reader.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <gmock/gmock.h>
 
@@ -112,6 +112,17 @@ TEST(Emit, CountsInTheReferenceWhatIsKnownOfEachEdition) {
   EXPECT_THAT(
       emit_dli_reference(read_dli_text(text, "test.toml")),
       HasSubstr("Edition 3 has 7 messages here (table B1-1); 1 of them are known to us, and 1 of Edition A alone.\n"));
+}
+
+TEST(Emit, WritesAReferenceOfMavlinkMessages) {
+  const auto protocol = read_mavlink_text(replaced(dialect, "units='m'", "units='m|s' enum='E'"), "small.xml");
+  const auto page = emit_mavlink_reference(protocol, false);
+  EXPECT_THAT(page, HasSubstr("# MAVLink messages: small\n\n1 messages, 2 enumerations.\n"));
+  EXPECT_THAT(page, HasSubstr("### MSG_A (1)\n\n1 bytes, with extensions 1.\n"));
+  EXPECT_THAT(page, HasSubstr("| x | uint8_t | m\\|s | [E](#E); 0 means unknown |\n"));
+  EXPECT_THAT(page, HasSubstr("### F\n\n- 256: F_A\n"));
+  EXPECT_THAT(page, Not(HasSubstr("What the package says")));
+  EXPECT_THAT(emit_mavlink_reference(protocol, true), HasSubstr("\n\nWhat the package says\n\n1 bytes"));
 }
 
 TEST(UnsignedTypeFor, TakesTheSmallestThatFits) {

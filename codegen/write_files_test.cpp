@@ -1,5 +1,5 @@
 #include "codegen/emit.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <chrono>
 

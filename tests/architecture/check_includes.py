@@ -9,12 +9,14 @@ from pathlib import Path
 VOCABULARY = {"core"}
 MAP = {
     "core": set(),
+    "definitions": set(),
     "mavlink": VOCABULARY,
     "dli": VOCABULARY,
     "vehicle": VOCABULARY,
     "autopilot": {"mavlink", "vehicle", "core"},
     "dlisession": {"dli", "vehicle", "core"},
     "planning": {"vehicle", "core"},
+    "reflection": {"mavlink", "definitions", "core"},
     "transport": {"core"},
     "vsm": {"autopilot", "dlisession", "mavlink", "dli", "vehicle", "core"},
     "cucs": {"dlisession", "dli", "vehicle", "core"},

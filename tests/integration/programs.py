@@ -32,6 +32,15 @@ def program_from(variable: str, name: str | None, default: Path | None) -> Path:
     return path
 
 
+def cached(program: Path, variable: str) -> str:
+    """What the build that made `program` was configured with: an entry of its CMake cache."""
+    for line in (program.parents[1] / "CMakeCache.txt").read_text().splitlines():
+        name, _, value = line.partition("=")
+        if name.partition(":")[0] == variable:
+            return value
+    pytest.fail(f"the build of {program} knows no {variable}", pytrace=False)
+
+
 def seed_or(default: int) -> int:
     """The seed of a random test, which PONTE_SEED replaces."""
     return int(os.environ.get("PONTE_SEED", default))

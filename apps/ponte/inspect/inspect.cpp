@@ -1,5 +1,6 @@
 #include "inspect/inspect.hpp"
 
+#include "common/dialect_option.hpp"
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
 #include "common/load_file.hpp"
@@ -13,7 +14,6 @@
 #include "inspect/recent_rates.hpp"
 #include "inspect/report.hpp"
 #include "inspect/traffic.hpp"
-#include "ponte/autopilot/dialect.hpp"
 #include "ponte/core/assert.hpp"
 #include "ponte/dli/json.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
@@ -35,6 +35,7 @@ struct Options {
   bool messages{};
   std::optional<double> seconds;
   MavlinkOptions mavlink;
+  std::string dialect;
   ProfileOptions profile;
   LogOptions log;
 };
@@ -61,13 +62,13 @@ class Views {
 
 std::optional<double> average_rate(const Tally& tally) { return tally.rate(); }
 
-void inspect_file(const Options& options) {
+void inspect_file(const Options& options, const mavlink::Dialect& dialect) {
   const auto file = load_file(options.place);
   if (file.bytes.empty())
     throw Failure{fmt::format("{}: {}", options.place, file.damage.empty() ? "the file is empty" : file.damage)};
   Traffic traffic{signing_key_from(options.mavlink)};
   Views views{options, traffic};
-  const auto format = read_capture(file.bytes, autopilot::dialect, views.sink());
+  const auto format = read_capture(file.bytes, dialect, views.sink());
   views.finish();
   if (traffic.frames == 0)
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes; {}", options.place, file.bytes.size(),
@@ -124,7 +125,7 @@ class Window {
   transport::Timer timer_;
 };
 
-void inspect_live(const Options& options) {
+void inspect_live(const Options& options, const mavlink::Dialect& dialect) {
   const auto profile = profile_from(options.profile);
   Traffic traffic{signing_key_from(options.mavlink)};
   DliTraffic dli{profile};
@@ -140,7 +141,8 @@ void inspect_live(const Options& options) {
   const bool has_window = !prints && Terminal::is_there();
   auto log_options = options.log;
   if (has_window) log_options.quiet = true;  // lines of a log would tear the window
-  LiveTraffic live{loop, endpoint_from("ENDPOINT", options.place), make_log(log_options), views.sink(), dli, on_dli};
+  LiveTraffic live{loop,  endpoint_from("ENDPOINT", options.place), make_log(log_options), dialect, views.sink(), dli,
+                   on_dli};
   loop.on_signal([&](int) { loop.stop(); });
   {
     std::optional<Window> window;
@@ -164,12 +166,13 @@ void inspect_live(const Options& options) {
 
 void run(const Options& options) {
   constexpr std::string_view file_scheme = "file://";
+  const ChosenDialect dialect{options.dialect};
   auto chosen = options;
   if (chosen.place.starts_with(file_scheme)) chosen.place.erase(0, file_scheme.size());
   if (chosen.place.find("://") == std::string::npos)
-    inspect_file(chosen);
+    inspect_file(chosen, dialect.dialect());
   else
-    inspect_live(chosen);
+    inspect_live(chosen, dialect.dialect());
 }
 
 }  // namespace
@@ -189,6 +192,7 @@ void add_inspect(CLI::App& app) {
       ->excludes(hex);
   command->add_option("--seconds", options->seconds, "Stop listening after so long")->check(CLI::Range(0.1, 1e6));
   add_signing_key_option(*command, options->mavlink);
+  add_dialect_option(*command, options->dialect);
   add_profile_options(*command, options->profile);
   add_log_options(*command, options->log);
   command->footer(

@@ -1,7 +1,6 @@
 #include "inspect/live_traffic.hpp"
 
 #include "common/failure.hpp"
-#include "ponte/autopilot/dialect.hpp"
 #include "vsm/link_log.hpp"
 
 namespace ponte::app {
@@ -36,11 +35,12 @@ class LiveTraffic::Placed final : public mavlink::FrameSink {
   WallTime time_{transport::Loop::wall()};
 };
 
-LiveTraffic::LiveTraffic(transport::Loop& loop, const transport::Endpoint& endpoint, Log log, CaptureSink& mavlink,
-                         DliTraffic& dli, DliVisitor visitor)
+LiveTraffic::LiveTraffic(transport::Loop& loop, const transport::Endpoint& endpoint, Log log,
+                         const mavlink::Dialect& dialect, CaptureSink& mavlink, DliTraffic& dli, DliVisitor visitor)
     : loop_{loop},
       endpoint_{endpoint},
       log_{std::move(log)},
+      dialect_{dialect},
       mavlink_{mavlink},
       dli_{dli},
       visitor_{std::move(visitor)},
@@ -57,7 +57,7 @@ LiveTraffic::LiveTraffic(transport::Loop& loop, const transport::Endpoint& endpo
 
 mavlink::Parser& LiveTraffic::parser_of(transport::PeerId peer) {
   auto& parser = parsers_[peer];
-  if (!parser) parser = std::make_unique<mavlink::Parser>(autopilot::dialect);
+  if (!parser) parser = std::make_unique<mavlink::Parser>(dialect_);
   return *parser;
 }
 

@@ -19,10 +19,11 @@ class LiveTraffic final : public transport::LinkHandler {
  public:
   using DliVisitor = std::function<void(WallTime time, const dli::WrapperView& message)>;
 
-  /// Frames and damage go to `mavlink`; DLI messages are counted in `dli` and shown to `visitor`. All outlive it.
+  /// Frames and damage go to `mavlink`; DLI messages are counted in `dli` and shown to `visitor`. All of these, and
+  /// `dialect`, outlive it.
   /// Throws `Failure`.
-  LiveTraffic(transport::Loop& loop, const transport::Endpoint& endpoint, Log log, CaptureSink& mavlink,
-              DliTraffic& dli, DliVisitor visitor);
+  LiveTraffic(transport::Loop& loop, const transport::Endpoint& endpoint, Log log, const mavlink::Dialect& dialect,
+              CaptureSink& mavlink, DliTraffic& dli, DliVisitor visitor);
 
   void on_bytes(Timestamp now, Bytes bytes, transport::PeerId peer) override;
   void on_datagram(Timestamp now, Bytes bytes, transport::PeerId peer) override;
@@ -38,6 +39,7 @@ class LiveTraffic final : public transport::LinkHandler {
   transport::Loop& loop_;
   transport::Endpoint endpoint_;
   Log log_;
+  const mavlink::Dialect& dialect_;
   CaptureSink& mavlink_;
   DliTraffic& dli_;
   DliVisitor visitor_;

@@ -1,6 +1,7 @@
 #include "translate/translate.hpp"
 
 #include "common/capture.hpp"
+#include "common/dialect_option.hpp"
 #include "common/failure.hpp"
 #include "common/json_line.hpp"
 #include "common/load_file.hpp"
@@ -29,6 +30,7 @@ struct Options {
   std::string file;
   bool json{};
   std::string pcap;
+  std::string dialect;
   VsmOptions vsm;
   MavlinkOptions mavlink;
   LogOptions log;
@@ -90,7 +92,10 @@ class Translator final : public CaptureSink {
       ++unknown[frame.message];
       return;
     }
-    vsm.on_frame(time, frame, *message, outbox_);
+    // A dialect of the user's may give the id another meaning; then the VSM must not take it for the one it knows.
+    const auto* ours = find_message(autopilot::dialect, frame);
+    if (ours == nullptr || ours->crc_extra != message->crc_extra || ours->name != message->name) return;
+    vsm.on_frame(time, frame, *ours, outbox_);
     drain();
   }
 
@@ -155,13 +160,14 @@ std::string summary(const Translator& translator, const Output& output) {
 void run(const Options& options) {
   const auto config = telemetry_config_from(options.vsm);
   const auto& profile = config.profile;
+  const ChosenDialect dialect{options.dialect};
   const auto file = load_file(options.file);
   if (file.bytes.empty())
     throw Failure{fmt::format("{}: {}", options.file, file.damage.empty() ? "the file is empty" : file.damage)};
 
   Output output{options, profile};
   Translator translator{config, output, signing_key_from(options.mavlink)};
-  read_capture(file.bytes, autopilot::dialect, translator);
+  read_capture(file.bytes, dialect.dialect(), translator);
 
   if (translator.frames == 0)
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes; {}", options.file, file.bytes.size(),
@@ -186,6 +192,7 @@ void add_translate(CLI::App& app) {
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
   command->add_option("--pcap", options->pcap, "Write the DLI datagrams to a capture for Wireshark");
   add_signing_key_option(*command, options->mavlink);
+  add_dialect_option(*command, options->dialect);
   add_vsm_options(*command, options->vsm);
   add_log_options(*command, options->log);
   command->footer("Example:\n  ponte translate tests/recordings/ap_mission_v2_trimmed.tlog.gz --json");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -66,6 +68,15 @@ Result<To, FieldWriteError> converted(From value) {
   return static_cast<To>(value);
 }
 
+std::optional<std::uint64_t> value_of_word(const EnumInfo& enumeration, std::string_view word) {
+  const auto named = std::ranges::find(enumeration.entries, word, &EnumEntry::name);
+  if (named != enumeration.entries.end()) return named->value;
+  std::uint64_t number{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool is_number = error == std::errc{} && end == word.data() + word.size();
+  return enumeration.bitmask && is_number ? std::optional{number} : std::nullopt;
+}
+
 template <class T>
 T load_number(const FieldInfo& field, const std::byte* at) {
   return field.big_endian ? load_be<T>(at) : load_le<T>(at);
@@ -118,6 +129,33 @@ std::string_view label_of(const EnumInfo& enumeration, std::uint64_t value) {
   const auto at = std::lower_bound(enumeration.entries.begin(), enumeration.entries.end(), value,
                                    [](const EnumEntry& entry, std::uint64_t wanted) { return entry.value < wanted; });
   return at != enumeration.entries.end() && at->value == value ? at->name : std::string_view{};
+}
+
+std::string words_of(const EnumInfo& enumeration, std::uint64_t value) {
+  if (const auto name = label_of(enumeration, value); !name.empty()) return std::string{name};
+  if (!enumeration.bitmask) return {};
+  std::string words;
+  for (const auto& entry : enumeration.entries) {
+    if (!std::has_single_bit(entry.value) || (value & entry.value) == 0) continue;
+    value &= ~entry.value;
+    words.append(entry.name) += '|';
+  }
+  if (words.empty()) return {};
+  if (value != 0) return words + std::to_string(value);
+  words.pop_back();
+  return words;
+}
+
+std::optional<std::uint64_t> value_of(const EnumInfo& enumeration, std::string_view words) {
+  std::uint64_t value = 0;
+  while (true) {
+    const auto bar = enumeration.bitmask ? words.find('|') : words.npos;
+    const auto bits = value_of_word(enumeration, words.substr(0, bar));
+    if (!bits) return std::nullopt;
+    value |= *bits;
+    if (bar == words.npos) return value;
+    words.remove_prefix(bar + 1);
+  }
 }
 
 }  // namespace ponte::mavlink

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -41,7 +43,15 @@ enum class FieldWriteError {
 [[nodiscard]] Result<void, FieldWriteError> write_text(const FieldInfo& field, MutableBytes payload,
                                                        std::string_view text);
 
-/// The name of exactly this value, or nothing. For one value of a bitmask, ask for each of its bits.
+/// The name of exactly this value, or nothing.
 [[nodiscard]] std::string_view label_of(const EnumInfo& enumeration, std::uint64_t value);
+
+/// A value in words: its name; if it has none and belongs to a bitmask, the names of its bits, and those without one as
+/// a number at the end: "A|B|64". Empty if nothing of it has a name.
+[[nodiscard]] std::string words_of(const EnumInfo& enumeration, std::uint64_t value);
+
+/// The value that such words stand for. Nothing if a word is no name of the enumeration; a bitmask may be given as
+/// several words, and each of them may be a number.
+[[nodiscard]] std::optional<std::uint64_t> value_of(const EnumInfo& enumeration, std::string_view words);
 
 }  // namespace ponte::mavlink

@@ -102,5 +102,41 @@ TEST(LabelOf, NamesListedValuesOnly) {
   EXPECT_EQ(label_of(enumeration, 4), "");
 }
 
+constexpr std::array<EnumEntry, 3> flag_entries{{{1, "ONE"}, {4, "FOUR"}, {5, "ONE_AND_FOUR"}}};
+constexpr EnumInfo flags{"FLAGS", true, flag_entries};
+constexpr EnumInfo choices{"CHOICES", false, flag_entries};
+
+TEST(WordsOf, NamesTheBitsOfABitmaskAndKeepsTheOthersAsANumber) {
+  EXPECT_EQ(words_of(flags, 4), "FOUR");
+  EXPECT_EQ(words_of(flags, 5), "ONE_AND_FOUR");
+  EXPECT_EQ(words_of(flags, 13), "ONE|FOUR|8");
+  EXPECT_EQ(words_of(flags, 8), "");
+  EXPECT_EQ(words_of(flags, 0), "");
+}
+
+TEST(WordsOf, NamesWholeValuesOnlyWhereBitsMeanNothing) {
+  EXPECT_EQ(words_of(choices, 5), "ONE_AND_FOUR");
+  EXPECT_EQ(words_of(choices, 13), "");
+}
+
+TEST(ValueOf, ReadsWhatWordsOfWrites) {
+  for (const std::uint64_t value : {1U, 4U, 5U, 7U, 13U}) EXPECT_EQ(value_of(flags, words_of(flags, value)), value);
+  EXPECT_EQ(value_of(choices, "FOUR"), 4U);
+}
+
+TEST(ValueOf, RefusesWordsThatMeanNothing) {
+  for (const auto* words : {"", "TWO", "ONE|", "|", "ONE|TWO", "ONE|-1", "1x", "18446744073709551616"})
+    EXPECT_EQ(value_of(flags, words), std::nullopt) << words;
+  EXPECT_EQ(value_of(choices, "ONE|FOUR"), std::nullopt);
+  EXPECT_EQ(value_of(choices, "4"), std::nullopt);
+}
+
+TEST(Find, GivesFieldsAndMessagesByName) {
+  EXPECT_EQ(Everything::info.find("triple"), &triple);
+  EXPECT_EQ(Everything::info.find("quadruple"), nullptr);
+  EXPECT_EQ(testing::dialect.find("ATTITUDE"), &Attitude::info);
+  EXPECT_EQ(testing::dialect.find("attitude"), nullptr);
+}
+
 }  // namespace
 }  // namespace ponte::mavlink

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace ponte::mavlink {
 namespace {
@@ -23,6 +25,15 @@ void append_value(JsonText& json, const FieldInfo& field, Bytes payload) {
   json.begin_array();
   for (std::size_t index = 0; index < field.array_length; ++index) append_element(index);
   json.end_array();
+}
+
+/// The words for one element, empty if there are none.
+std::string words_of(const FieldInfo& field, Bytes payload, std::size_t index) {
+  const auto value = read_element(field, payload, index);
+  if (const auto* number = std::get_if<std::uint64_t>(&value)) return words_of(*field.enumeration, *number);
+  const auto* number = std::get_if<std::int64_t>(&value);
+  if (number == nullptr || *number < 0) return {};
+  return words_of(*field.enumeration, static_cast<std::uint64_t>(*number));
 }
 
 }  // namespace
@@ -46,6 +57,7 @@ void append_frame(JsonText& json, WallTime time, const FrameView& frame, const M
   if (message != nullptr) {
     json.key("fields");
     append_fields(json, *message, readable_payload(frame, *message));
+    append_labels(json, *message, readable_payload(frame, *message));
   } else {
     json.member("payload", std::string_view{to_hex(frame.payload)});
   }
@@ -59,6 +71,24 @@ void append_fields(JsonText& json, const MessageInfo& message, Bytes payload) {
     append_value(json, field, payload);
   }
   json.end_object();
+}
+
+void append_labels(JsonText& json, const MessageInfo& message, Bytes payload) {
+  bool begun = false;
+  std::vector<std::string> words;
+  for (const auto& field : message.fields) {
+    if (field.enumeration == nullptr) continue;
+    words.clear();
+    for (std::size_t index = 0; index < element_count(field); ++index) words.push_back(words_of(field, payload, index));
+    if (std::ranges::all_of(words, &std::string::empty)) continue;
+    if (!begun) json.key("labels").begin_object();
+    begun = true;
+    json.key(field.name);
+    if (field.array_length != 0) json.begin_array();
+    for (const auto& word : words) json.value(std::string_view{word});
+    if (field.array_length != 0) json.end_array();
+  }
+  if (begun) json.end_object();
 }
 
 }  // namespace ponte::mavlink

@@ -52,5 +52,26 @@ TEST(AppendFields, WritesListsAndKeepsWhatJsonNumbersCannot) {
             R"({"whole":"-9223372036854775808","fine":"-Infinity","triple":[1,2,3],"tiny":-1,"letter":"q"})");
 }
 
+TEST(AppendLabels, TellsWhatEnumerationsCallTheValues) {
+  static constexpr std::array<EnumEntry, 2> entries{{{1, "LOW"}, {2, "HIGH"}}};
+  static constexpr EnumInfo levels{"LEVELS", false, entries};
+  static constexpr EnumInfo flags{"FLAGS", true, entries};
+  static constexpr std::array<FieldInfo, 4> fields{{
+      {"level", FieldType::uint8, 0, 0, false, "", "", &levels},
+      {"flags", FieldType::int8, 0, 1, false, "", "", &flags},
+      {"levels", FieldType::uint8, 2, 2, false, "", "", &levels},
+      {"plain", FieldType::uint8, 0, 4, false, "", "", nullptr},
+  }};
+  static constexpr MessageInfo message{MessageId{1}, "LEVELS", 0, 5, 5, fields};
+  const auto labels = [&](std::string_view payload) {
+    JsonText json;
+    json.begin_object();
+    append_labels(json, message, bytes(payload));
+    return json.end_object().text();
+  };
+  EXPECT_EQ(labels("02 03 00 01 02"), R"({"labels":{"level":"HIGH","flags":"LOW|HIGH","levels":["","LOW"]}})");
+  EXPECT_EQ(labels("03 ff 00 00 02"), "{}") << "a negative number has no bits to name";
+}
+
 }  // namespace
 }  // namespace ponte::mavlink

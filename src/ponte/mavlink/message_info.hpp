@@ -85,6 +85,13 @@ struct MessageInfo {
   std::uint8_t full_length;           ///< payload bytes with extensions, before MAVLink 2 drops trailing zeros
   std::span<const FieldInfo> fields;  ///< in the order of the definition
 
+  /// The field with this name, or nothing.
+  [[nodiscard]] constexpr const FieldInfo* find(std::string_view wanted) const {
+    for (const auto& field : fields)
+      if (field.name == wanted) return &field;
+    return nullptr;
+  }
+
   /// True for a message of MAVLink 0.9, false for one of MAVLink 1 and 2.
   [[nodiscard]] constexpr bool is_v09() const { return !fields.empty() && fields.front().big_endian; }
 };
@@ -104,6 +111,9 @@ struct Dialect {
   /// The messages with the ids 0, 1, 2 ..., nothing where there is none; may be shorter than needed, or empty.
   std::span<const MessageInfo* const> low{};
 
+  /// True if `messages` are those of MAVLink 0.9: such a dialect is the `v09` of another.
+  [[nodiscard]] constexpr bool is_v09() const { return !messages.empty() && messages.front()->is_v09(); }
+
   /// The message of MAVLink 0.9 with this id and payload length, or nothing. Only the length tells messages of
   /// different dialects apart there.
   [[nodiscard]] constexpr const MessageInfo* find_v09(MessageId id, std::size_t length) const {
@@ -119,6 +129,12 @@ struct Dialect {
     if (id.value < low.size()) return low[id.value];
     const auto* const at = first_from(id);
     return at != messages.data() + messages.size() && (*at)->id == id ? *at : nullptr;
+  }
+  /// The message with this name, e.g. "HEARTBEAT", or nothing. Looks at one after the other.
+  [[nodiscard]] constexpr const MessageInfo* find(std::string_view wanted) const {
+    for (const auto* message : messages)
+      if (message->name == wanted) return message;
+    return nullptr;
   }
 
  private:

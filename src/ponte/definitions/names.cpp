@@ -1,10 +1,10 @@
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
@@ -91,4 +91,4 @@ std::string one_line(std::string_view text) {
   return result;
 }
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 
 /// Reads a MAVLink XML dialect with everything it includes: messages by id, enumerations merged by name. An include is
 /// looked for beside the file that names it, then in `search_path`. A `<message extend="true">` (our own attribute, for
@@ -20,4 +20,4 @@ namespace ponte::codegen {
 /// The numbers are indices into `message.fields`.
 [[nodiscard]] std::vector<std::size_t> wire_order(const Message& message);
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

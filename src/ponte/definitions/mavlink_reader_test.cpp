@@ -1,11 +1,11 @@
-#include "codegen/mavlink_reader.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
 
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 using testing::ElementsAre;
@@ -184,4 +184,4 @@ TEST(MavlinkReader, NamesTheDialectAfterTheFile) {
 }
 
 }  // namespace
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

@@ -1,9 +1,9 @@
-#include "codegen/mavlink_reader.hpp"
-#include "codegen/test_tools.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
+#include "ponte/definitions/test_tools.hpp"
 
 #include <fmt/format.h>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 std::string refusal(std::string_view text) {
@@ -124,13 +124,14 @@ TEST(MavlinkRefusals, NameTheMessageNameThatIsTaken) {
 }
 
 TEST(MavlinkRefusals, KeepMessagesFromReplacingTheOtherGeneratedFiles) {
-  for (const auto* name : {"ALL", "Dialect", "ENUMS", "--"})
+  for (const auto* name : {"ALL", "Dialect", "ENUMS", "--", "A B"})
     EXPECT_EQ(refusal(fmt::format("<mavlink><messages>\n<message id='1' name='{}'/></messages></mavlink>", name)),
               fmt::format("test.xml:2: '{}' cannot be the name of a message", name));
 }
 
 TEST(MavlinkRefusals, WantNamesThatCanStandInCode) {
   EXPECT_EQ(refusal_of_fields("<field type='int8_t' name='--'/>"), "test.xml:4: '--' cannot be the name of a field");
+  EXPECT_EQ(refusal_of_fields("<field type='int8_t' name='a b'/>"), "test.xml:4: 'a b' cannot be the name of a field");
   EXPECT_EQ(refusal_of_enums("<enum name='A B'/>"), "test.xml:2: enum name 'A B' is not an identifier");
   EXPECT_EQ(refusal_of_enums("<enum name='E'>\n<entry name='1ST'/></enum>"),
             "test.xml:3: entry name '1ST' is not an identifier");
@@ -171,4 +172,4 @@ TEST(MavlinkRefusals, NameTheMessageThatAnExtensionMisses) {
 }
 
 }  // namespace
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

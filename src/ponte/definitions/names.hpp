@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 
 /// "Roll Rate", "U_Speed", "ATTITUDE" and "Waypoint - Latitude" in snake_case. A C++ keyword, and a name that
 /// generated structs use themselves, gets a trailing underscore; what would begin with a digit a leading one.
@@ -21,4 +21,4 @@ namespace ponte::codegen {
 /// `text` in one line, with white space folded and without a backslash at the end, for a comment.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

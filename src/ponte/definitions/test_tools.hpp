@@ -1,6 +1,6 @@
 #pragma once
 
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -10,8 +10,8 @@
 #include <string>
 #include <system_error>
 
-/// What several tests of the generator need.
-namespace ponte::codegen {
+/// What tests of definitions need.
+namespace ponte::definitions {
 
 /// The text with which `read` refuses its definition.
 template <class Read>
@@ -52,7 +52,7 @@ template <class Read>
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    auto name = (std::filesystem::temp_directory_path() / "ponte-codegen-XXXXXX").string();
+    auto name = (std::filesystem::temp_directory_path() / "ponte-definitions-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::system_error{errno, std::generic_category(), name};
     path_ = name;
   }
@@ -76,4 +76,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

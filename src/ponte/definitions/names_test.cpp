@@ -1,8 +1,8 @@
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <gtest/gtest.h>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 TEST(SnakeCase, TakesTheSpellingsOfBothStandards) {
@@ -61,4 +61,4 @@ TEST(OneLine, FoldsWhiteSpaceSoThatACommentStaysAComment) {
 }
 
 }  // namespace
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

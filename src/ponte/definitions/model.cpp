@@ -1,4 +1,4 @@
-#include "codegen/model.hpp"
+#include "ponte/definitions/model.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 
 DefinitionError::DefinitionError(const Source& source, std::string_view what)
     : std::runtime_error{source.line == 0 ? fmt::format("{}: {}", source.file.string(), what)
@@ -25,4 +25,4 @@ std::string read_file(const std::filesystem::path& path) {
   return std::move(text).str();
 }
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

@@ -1,6 +1,6 @@
-#include "codegen/mavlink_reader.hpp"
+#include "ponte/definitions/mavlink_reader.hpp"
 
-#include "codegen/names.hpp"
+#include "ponte/definitions/names.hpp"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -11,7 +11,7 @@
 #include <numeric>
 #include <set>
 
-namespace ponte::codegen {
+namespace ponte::definitions {
 namespace {
 
 constexpr std::size_t largest_payload = 255;
@@ -114,6 +114,13 @@ std::optional<std::uint64_t> parse_number(std::string_view text) {
   if (text.starts_with("0x") || text.starts_with("0X")) return parse_digits(text.substr(2), 16);
   if (text.starts_with("0b") || text.starts_with("0B")) return parse_digits(text.substr(2), 2);
   return parse_digits(text, 10);
+}
+
+/// Letters, digits and underscores of ASCII: what the names of messages and fields are made of.
+bool is_plain(std::string_view name) {
+  return std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
 }
 
 std::vector<std::size_t> order_of_definition(const Message& message) {
@@ -244,7 +251,8 @@ class DialectReader {
     message.source = document.at(node);
     message.name = document.attribute(node, "name");
     message.key = snake_case(message.name);
-    if (message.key.empty() || std::ranges::find(taken_keys, message.key) != taken_keys.end())
+    if (!is_plain(message.name) || message.key.empty() ||
+        std::ranges::find(taken_keys, message.key) != taken_keys.end())
       document.refuse(node, fmt::format("'{}' cannot be the name of a message", message.name));
     const auto number = parse_number(document.attribute(node, "id"));
     const std::uint64_t highest = v09_ ? 0xFF : 0xFFFFFF;
@@ -277,7 +285,8 @@ class DialectReader {
     field.source = document.at(node);
     field.name = document.attribute(node, "name");
     field.key = snake_case(field.name);
-    if (field.key.empty()) document.refuse(node, fmt::format("'{}' cannot be the name of a field", field.name));
+    if (!is_plain(field.name) || field.key.empty())
+      document.refuse(node, fmt::format("'{}' cannot be the name of a field", field.name));
     field.unit = node.attribute("units").value();
     field.invalid = node.attribute("invalid").value();
     field.instance = node.attribute("instance").as_bool();
@@ -392,4 +401,4 @@ Protocol read_mavlink_text(std::string_view text, const std::filesystem::path& n
   return reader.finish(dialect_name(name));
 }
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The one model between readers and emitters: what a protocol's messages are made of, whichever file said so.
-namespace ponte::codegen {
+namespace ponte::definitions {
 
 /// Where a definition stands, for error messages.
 struct Source {
@@ -131,4 +131,4 @@ struct Protocol {
 /// Throws `DefinitionError` when the file cannot be read.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
-}  // namespace ponte::codegen
+}  // namespace ponte::definitions
