@@ -67,6 +67,8 @@ def check(measured: dict[str, Cases], frames: int, intact: int) -> None:
         for our, their in [*pairs, (ours["encode"], theirs["encode"])]:
             if (our["frames"], our["hash"]) != (their["frames"], their["hash"]):
                 raise SystemExit(f"ponte and {peer} do not agree: {our}, {their}")
+    if any(cases["verify v2_signed"]["frames"] != frames for cases in measured.values()):
+        raise SystemExit("signatures of the corpus were refused")
     if any(ours[f"decode {version} {chunk}"]["frames"] != frames for version in CLEAN for chunk in CHUNKS):
         raise SystemExit("ponte has lost frames of a clean corpus")
     if any(ours[f"decode v2_noisy {chunk}"]["frames"] < intact for chunk in CHUNKS):
@@ -92,6 +94,11 @@ def figures(programs: Path) -> Iterable[Figure]:
                     "mavlink", f"decode {version} by {chunk}", rate(ours, f"decode {version} {chunk}"), "frames/s",
                     peer, rate(measured[peer], f"decode {version}"), target, at_least=True, of_ratio=True,
                 )  # fmt: skip
+    for peer in PEERS:
+        yield Figure(
+            "mavlink", "verify v2_signed by 1500", rate(ours, "verify v2_signed"), "frames/s", peer,
+            rate(measured[peer], "verify v2_signed"), 1.5, at_least=True, of_ratio=True,
+        )  # fmt: skip
     python_ns, count = pymavlink_ns((corpus / "v2.bin").read_bytes())
     assert count == facts["frames"]
     yield Figure("mavlink", "decode v2 by 1500", rate(ours, "decode v2 1500"), "frames/s", "pymavlink", 1e9 / python_ns)

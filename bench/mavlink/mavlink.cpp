@@ -9,6 +9,7 @@
 #include "ponte/mavlink/codec.hpp"
 #include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/parser.hpp"
+#include "ponte/mavlink/signer.hpp"
 
 #include <fmt/format.h>
 
@@ -175,6 +176,39 @@ void measure_parse(const std::string& folder, std::string_view name) {
   }
 }
 
+/// The signatures of frames that are decoded.
+struct VerifyingSink final : mavlink::FrameSink {
+  VerifyingSink() : signer{corpus_key(), {}} {}
+
+  static mavlink::SigningKey corpus_key() {
+    std::array<std::byte, mavlink::SigningKey::size> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i);
+    return mavlink::SigningKey{bytes};
+  }
+
+  void on_frame(const FrameView& frame, const MessageInfo*) override {
+    constexpr WallTime before_all_of_them{};
+    if (signer.verify(before_all_of_them, frame) != mavlink::SignatureVerdict::accepted) return;
+    ++frames;
+    const auto use = [](const auto& message) { keep(message); };
+    AnyDecoder::decode(frame, use);
+  }
+
+  mavlink::Signer signer;
+  std::uint64_t frames{};
+};
+
+void measure_verify(const std::string& folder) {
+  const auto file = app::load_file(folder + "/v2_signed.bin");
+  std::uint64_t frames{};
+  const auto time = median_of([&] {
+    VerifyingSink sink;
+    feed(file.bytes, 1500, sink);
+    frames = sink.frames;
+  });
+  print("verify v2_signed", frames, 0, time);
+}
+
 /// Finding frames alone, beside the checksum of the same frames alone.
 void measure_checksum(const std::string& folder) {
   const auto file = app::load_file(folder + "/v2.bin");
@@ -257,6 +291,7 @@ void measure_encode(const std::string& folder) {
 int main(int argc, char** argv) try {
   if (argc != 2) return 2;
   for (const auto* name : {"v1", "v2", "v2_signed", "v2_noisy"}) measure_parse(argv[1], name);
+  measure_verify(argv[1]);
   measure_checksum(argv[1]);
   measure_encode(argv[1]);
   return 0;
