@@ -13,12 +13,14 @@ import tlog
 
 FOLDER = Path(__file__).resolve().parents[1] / "recordings"
 RECORDINGS = sorted(FOLDER.glob("*_trimmed.tlog.gz"))
+FLIGHTS = [path for path in RECORDINGS if "_mission_" in path.name]
 SIZE_LIMIT = 300_000
 ARMED_FLAG = 128
 
 
-def test_there_are_three_and_they_are_small() -> None:
-    assert [path.name.split("_mission")[0] for path in RECORDINGS] == ["ap", "ap", "px4"]
+def test_there_are_three_flights_and_a_signed_link_and_they_are_small() -> None:
+    assert [path.name.split("_mission")[0] for path in FLIGHTS] == ["ap", "ap", "px4"]
+    assert {path.name for path in RECORDINGS} - {path.name for path in FLIGHTS} == {"ap_signing_v2_trimmed.tlog.gz"}
     assert sum(path.stat().st_size for path in RECORDINGS) < SIZE_LIMIT
 
 
@@ -43,7 +45,7 @@ def messages_of(path: Path, system: int, *names: str) -> list[Any]:
     return [message for message in decoded if message.get_type() in names]
 
 
-@pytest.mark.parametrize("path", RECORDINGS, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", FLIGHTS, ids=lambda path: path.name)
 def test_the_flight_has_its_whole_life_cycle(path: Path) -> None:
     armed = [bool(m.base_mode & ARMED_FLAG) for m in messages_of(path, 1, "HEARTBEAT")]
     assert [a for i, a in enumerate(armed) if i == 0 or a != armed[i - 1]] == [False, True, False]

@@ -1,5 +1,6 @@
 #include "route/live_router.hpp"
 
+#include "ponte/core/assert.hpp"
 #include "route/route_side.hpp"
 
 #include <openssl/rand.h>
@@ -12,7 +13,8 @@ namespace {
 
 std::uint64_t secret_seed() {
   std::uint64_t seed{};
-  RAND_bytes(reinterpret_cast<unsigned char*>(&seed), sizeof seed);
+  const auto done = RAND_bytes(reinterpret_cast<unsigned char*>(&seed), sizeof seed);
+  PONTE_ASSERT(done == 1);
   return seed;
 }
 

@@ -1,15 +1,14 @@
 #pragma once
 
 #include "common/log.hpp"
-#include "ponte/core/json_text.hpp"
 #include "ponte/mavlink/router.hpp"
 #include "ponte/transport/endpoint.hpp"
 #include "ponte/transport/link.hpp"
 #include "ponte/transport/loop.hpp"
 
-#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ponte::app {

@@ -88,9 +88,11 @@ Timestamp LiveVehicle::simulated(Timestamp now) const {
   return Timestamp{std::chrono::duration_cast<Duration>((now - power_on_) * speedup_)};
 }
 
+LiveVehicle::Peer::Peer(const mavlink::LinkPolicy& policy) : parser{autopilot::dialect}, guard{policy} {}
+
 LiveVehicle::Peer& LiveVehicle::find(transport::PeerId id) {
   auto& peer = peers_[id];
-  if (!peer) peer.reset(new Peer{mavlink::Parser{autopilot::dialect}, mavlink::LinkGuard{security_.policy}});
+  if (!peer) peer = std::make_unique<Peer>(security_.policy);
   return *peer;
 }
 

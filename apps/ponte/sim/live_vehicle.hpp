@@ -44,6 +44,8 @@ class LiveVehicle final : public transport::LinkHandler {
  private:
   class Receiver;
   struct Peer {
+    explicit Peer(const mavlink::LinkPolicy& policy);
+
     mavlink::Parser parser;
     mavlink::LinkGuard guard;
   };

@@ -145,15 +145,6 @@ void LiveVsm::on_refused(autopilot::LinkId link, mavlink::Refusal refusal, std::
              name_of(refusal));
 }
 
-/// MAVLink 1, which a peer may speak until its first signature, cannot be signed.
-void LiveVsm::send(autopilot::OutgoingFrame frame) {
-  if (signer_ != nullptr && frame.buffer[0] == mavlink::start_v2)
-    frame.size =
-        signer_->sign(transport::Loop::wall(), static_cast<std::uint8_t>(frame.link.value), frame.buffer, frame.size);
-  for (const auto& side : vehicle_sides_)
-    if (side->send(frame)) return;
-}
-
 /// Sends what the clock, and no frame, has called for.
 void LiveVsm::send_due() {
   if (bridge_.messages.empty()) return;
@@ -168,7 +159,10 @@ void LiveVsm::send_due() {
 /// Carries out what the bridge wants done.
 void LiveVsm::pump() {
   send_due();
-  bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) { send(frame); });
+  bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) {
+    for (const auto& side : vehicle_sides_)
+      if (side->send(frame)) break;
+  });
   bridge_.facts.drain([&](const autopilot::FleetFact& fact) {
     if (const auto* side = side_of(fact.link))
       tell_fact(side->id(), side->name_of(fact.link), fact);

@@ -77,7 +77,6 @@ class LiveVsm final : private vsm::BridgeListener {
     for (auto* watcher : watchers_) (watcher->*what)(arguments...);
   }
   void send(const vsm::OutgoingMessage& message);
-  void send(autopilot::OutgoingFrame frame);
   void send_due();
   void pump();
   void finish_if_all_have();

@@ -82,9 +82,14 @@ void VehicleSide::on_state(Timestamp, transport::LinkState state, std::string_vi
   detail_ = state == transport::LinkState::down ? reason : std::string_view{};
 }
 
-bool VehicleSide::send(const autopilot::OutgoingFrame& frame) {
+/// The link id of signatures is the endpoint's: autopilots remember few of them, and a peer that comes back gets a new
+/// number. MAVLink 1, which a peer may speak until its first signature, cannot be signed.
+bool VehicleSide::send(autopilot::OutgoingFrame frame) {
   for (const auto& [peer, number] : numbers_) {
     if (number != frame.link) continue;
+    if (owner_.signer_ != nullptr && frame.buffer[0] == mavlink::start_v2)
+      frame.size =
+          owner_.signer_->sign(transport::Loop::wall(), static_cast<std::uint8_t>(id_.value), frame.buffer, frame.size);
     link_->send_to(peer, frame.bytes());
     return true;
   }

@@ -21,8 +21,8 @@ class VehicleSide final : public transport::LinkHandler {
 
   /// Every peer is gone: the endpoint is about to be closed.
   void end_all(Timestamp now);
-  /// True when the frame's link is one of ours; it is on its way then.
-  bool send(const autopilot::OutgoingFrame& frame);
+  /// True when the frame's link is one of ours; it is on its way then, signed if there is a key.
+  bool send(autopilot::OutgoingFrame frame);
   /// The address of the peer that is this link; empty when it is none of ours.
   [[nodiscard]] std::string name_of(autopilot::LinkId link) const;
   [[nodiscard]] bool has(autopilot::LinkId link) const;

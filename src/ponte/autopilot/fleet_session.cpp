@@ -98,8 +98,8 @@ bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView
   return true;
 }
 
-/// We speak the version that was heard last. Who has signed a frame is spoken to in MAVLink 2 from then on: a stray frame
-/// of an older version must not make us send what cannot be signed.
+/// We speak the version that was heard last. Who has signed a frame is spoken to in MAVLink 2 from then on: a stray
+/// frame of an older version must not make us send what cannot be signed.
 void FleetSession::note_version(Link& link, const mavlink::FrameView& frame) {
   link.has_signed = link.has_signed || frame.is_signed();
   link.version = link.has_signed ? mavlink::Version::v2 : frame.version;

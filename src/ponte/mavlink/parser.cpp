@@ -26,7 +26,7 @@ std::uint16_t bytes_without_news(Bytes input) {
 void Parser::decide(Timestamp now, Bytes bytes, FrameSink& sink) {
   const auto rest = consume_held(bytes, sink);
   if (!rest.empty()) keep(rest.subspan(consume(rest, rest.size(), Ending::open, sink)));
-  deadline_.reset();
+  deadline_ = never;
   patience_ = 0;
   if (!is_unfinished_) return;
   deadline_ = now + silence_limit;
@@ -38,7 +38,7 @@ void Parser::decide(Timestamp now, Bytes bytes, FrameSink& sink) {
 void Parser::give_up(FrameSink& sink) {
   const auto held = Bytes{held_}.first(held_size_);
   keep(held.subspan(consume(held, held.size(), Ending::silence, sink)));
-  deadline_.reset();
+  deadline_ = never;
   patience_ = 0;
 }
 
@@ -47,7 +47,7 @@ std::size_t Parser::bytes_needed() const { return missing_bytes(Bytes{held_}.fir
 void Parser::finish(FrameSink& sink) {
   if (held_size_ > 0) consume(Bytes{held_}.first(held_size_), held_size_, Ending::end, sink);
   held_size_ = 0;
-  deadline_.reset();
+  deadline_ = never;
   patience_ = 0;
 }
 

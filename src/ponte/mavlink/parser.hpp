@@ -86,14 +86,16 @@ class Parser {
   }
   /// Silence, once `next_deadline` has come: gives up a frame that stayed unfinished, and finds those hidden behind it.
   void on_tick(Timestamp now, FrameSink& sink) {
-    if (deadline_ && *deadline_ <= now) [[unlikely]]
+    if (deadline_ <= now) [[unlikely]]
       give_up(sink);
   }
   /// How many more bytes of a stream have to come, at least, before anything can be delivered. One more may be enough
   /// for a decision that delivers nothing.
   [[nodiscard]] std::size_t bytes_needed() const;
   /// When `on_tick` next has something to do; nothing while no frame is unfinished.
-  [[nodiscard]] std::optional<Timestamp> next_deadline() const { return deadline_; }
+  [[nodiscard]] std::optional<Timestamp> next_deadline() const {
+    return deadline_ == never ? std::nullopt : std::optional{deadline_};
+  }
   /// The end of a stream, which decides everything, like the end of a datagram.
   void finish(FrameSink& sink);
 
@@ -138,12 +140,14 @@ class Parser {
   Claim follow(Bytes window, std::size_t& end, Ending ending) const;
   Claim look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending) const;
 
+  static constexpr Timestamp never = Timestamp::max();
+
   const Dialect* dialect_;
   ParserCounters counters_;
   // Counted like counters_.bytes: no good frame of a known message begins between the present position and this one.
   // It spares the bytes inside one unknown frame after the other from being examined again and again.
   std::uint64_t searched_until_{};
-  std::optional<Timestamp> deadline_;
+  Timestamp deadline_{never};
   bool is_unfinished_{};
   std::uint16_t patience_{};  // so many more bytes of the unfinished frame tell nothing
   // The bytes before the present position that belong to a frame whose successor is not known yet. They are still at

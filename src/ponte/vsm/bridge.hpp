@@ -31,7 +31,8 @@ class BridgeListener {
   virtual void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
   /// Bytes on a link that are part of no frame. One run may come in several calls.
   virtual void on_skipped(autopilot::LinkId /*link*/, Bytes /*run*/, mavlink::SkipReason /*reason*/) {}
-  /// A frame that the policy of its link does not permit: nothing more happens with it. `count` so far, itself included.
+  /// A frame that the policy of its link does not permit: nothing more happens with it. `count` so far, itself
+  /// included.
   virtual void on_refused(autopilot::LinkId /*link*/, mavlink::Refusal /*refusal*/, std::uint64_t /*count*/) {}
 };
 
@@ -40,8 +41,8 @@ class BridgeListener {
 /// no clock and no socket.
 class Bridge final : private mavlink::FrameSink {
  public:
-  /// The listener and the signer, if any, outlive the bridge. The signer verifies what comes in; what goes out is signed
-  /// by who sends it.
+  /// The listener and the signer, if any, outlive the bridge. The signer verifies what comes in; what goes out is
+  /// signed by who sends it.
   explicit Bridge(BridgeConfig config, BridgeListener* listener = nullptr, mavlink::Signer* signer = nullptr);
 
   /// A link begins; frames come from it, and requests may be sent on it, until it ends.
