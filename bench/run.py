@@ -6,60 +6,24 @@ Each figure is a ratio against a peer in the same run where there is one; the ta
 from __future__ import annotations
 
 import argparse
-import gzip
 import json
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+import page
 import planning
 from figure import HEADING, Figure
+from mavlink import figures as mavlink
 
 RECORDING = Path("tests/recordings/px4_mission_v2_trimmed.tlog.gz")
-REPETITIONS = 3
-
-
-def frames_of(recording: Path) -> bytes:
-    """The frames back to back: each record is eight bytes of time and one frame."""
-    data = gzip.decompress(recording.read_bytes())
-    stream = bytearray()
-    at = 0
-    while at + 8 < len(data):
-        start, length = data[at + 8], data[at + 9]
-        size = length + 8 if start == 0xFE else length + 12 + (13 if data[at + 10] & 1 else 0)
-        stream += data[at + 8 : at + 8 + size]
-        at += 8 + size
-    return bytes(stream)
-
-
-def pymavlink_rate(stream: bytes) -> float:
-    """Frames per second, the best of several passes."""
-    from pymavlink.dialects.v20 import all as dialect
-
-    best = 0.0
-    for _ in range(REPETITIONS):
-        parser = dialect.MAVLink(None)
-        parser.robust_parsing = True
-        count = 0
-        start = time.perf_counter()
-        for at in range(0, len(stream), 1500):
-            count += len(parser.parse_buffer(stream[at : at + 1500]) or [])
-        best = max(best, count / (time.perf_counter() - start))
-    return best
 
 
 def measured_by(program: Path) -> dict[str, float]:
     """What a benchmark program prints: the value of each case."""
     output = subprocess.run([program, RECORDING], check=True, capture_output=True, text=True).stdout
     return {figure["case"]: figure["value"] for figure in map(json.loads, output.splitlines())}
-
-
-def parse(programs: Path) -> list[Figure]:
-    rate = measured_by(programs / "bench_parse")["parse"]
-    peer = pymavlink_rate(frames_of(RECORDING))
-    return [Figure("parse", "parse", rate, "frames/s", "pymavlink", peer, 8.0, at_least=True, of_ratio=True)]
 
 
 def vsm(programs: Path) -> list[Figure]:
@@ -76,7 +40,12 @@ def vsm(programs: Path) -> list[Figure]:
     ]
 
 
-BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {"parse": parse, "vsm": vsm, "planning": planning.figures}
+BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
+    "mavlink": mavlink.figures,
+    "vsm": vsm,
+    "page": page.figures,
+    "planning": planning.figures,
+}
 
 
 def main() -> int:

@@ -182,10 +182,11 @@ namespace {{
 
 constexpr std::array<const MessageInfo*, {}> messages{{{{
 {}}}}};
+constexpr auto low = low_messages(messages);
 
 }}  // namespace
 
-const Dialect dialect{{{}, messages}};
+const Dialect dialect{{.name = {}, .messages = messages, .low = low}};
 
 }}  // namespace ponte::mavlink::{}
 )",

@@ -4,6 +4,7 @@
 #include "latency/latency.hpp"
 #include "mission/mission.hpp"
 #include "ports/ports.hpp"
+#include "route/route.hpp"
 #include "sim/sim.hpp"
 #include "translate/translate.hpp"
 #include "vsm/vsm.hpp"
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   ponte::app::add_latency(app);
   ponte::app::add_mission(app);
   ponte::app::add_ports(app);
+  ponte::app::add_route(app);
   ponte::app::add_sim(app);
   ponte::app::add_translate(app);
   ponte::app::add_vsm(app);

@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "independent"))
 import mavlink_frames  # noqa: E402
 import tlog  # noqa: E402
 
-FLIGHTS = ("ap_mission_v1", "ap_mission_v2", "px4_mission_v2")
+FLIGHTS = ("ap_mission_v1", "ap_mission_v2", "ap_signing_v2", "px4_mission_v2")
 RAW_DATAGRAMS = "ap_boot_raw_datagrams.txt.gz"
 AUTOPILOT_SYSTEM = 1
 SYS_STATUS, ATTITUDE, GLOBAL_POSITION_INT, VFR_HUD = 1, 30, 33, 74

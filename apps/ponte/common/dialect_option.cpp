@@ -47,6 +47,7 @@ ChosenDialect::ChosenDialect(const std::string& file) : dialect_{autopilot::dial
   } else {
     messages_ = reflection::messages_of(own, autopilot::dialect);
     dialect_.messages = messages_;
+    dialect_.low = {};  // of other messages
   }
 }
 

@@ -5,6 +5,7 @@
 #include "common/failure.hpp"
 #include "common/load_file.hpp"
 #include "common/log.hpp"
+#include "common/mavlink_options.hpp"
 #include "common/terminal.hpp"
 #include "common/vsm_options.hpp"
 #include "inspect/hex_view.hpp"
@@ -33,6 +34,7 @@ struct Options {
   bool hex{};
   bool messages{};
   std::optional<double> seconds;
+  MavlinkOptions mavlink;
   std::string dialect;
   ProfileOptions profile;
   LogOptions log;
@@ -64,7 +66,7 @@ void inspect_file(const Options& options, const mavlink::Dialect& dialect) {
   const auto file = load_file(options.place);
   if (file.bytes.empty())
     throw Failure{fmt::format("{}: {}", options.place, file.damage.empty() ? "the file is empty" : file.damage)};
-  Traffic traffic;
+  Traffic traffic{signing_key_from(options.mavlink)};
   Views views{options, traffic};
   const auto format = read_capture(file.bytes, dialect, views.sink());
   views.finish();
@@ -125,7 +127,7 @@ class Window {
 
 void inspect_live(const Options& options, const mavlink::Dialect& dialect) {
   const auto profile = profile_from(options.profile);
-  Traffic traffic;
+  Traffic traffic{signing_key_from(options.mavlink)};
   DliTraffic dli{profile};
   Views views{options, traffic};
   JsonText json;
@@ -189,6 +191,7 @@ void add_inspect(CLI::App& app) {
   command->add_flag("--messages", options->messages, "One JSON object per message as it comes, and no table")
       ->excludes(hex);
   command->add_option("--seconds", options->seconds, "Stop listening after so long")->check(CLI::Range(0.1, 1e6));
+  add_signing_key_option(*command, options->mavlink);
   add_dialect_option(*command, options->dialect);
   add_profile_options(*command, options->profile);
   add_log_options(*command, options->log);

@@ -59,6 +59,9 @@ std::string mavlink_table(const Traffic& traffic, const RateOf& rate_of, bool wi
   text += fmt::format("\n{} frames", traffic.frames);
   for (const auto& [byte, count] : traffic.start_bytes) text += fmt::format(", start byte 0x{:02X}: {}", byte, count);
   if (traffic.signed_frames > 0) text += fmt::format(", signed: {}", traffic.signed_frames);
+  for (std::size_t i = 0; i < traffic.verdicts.size(); ++i)
+    if (traffic.verdicts[i] > 0)
+      text += fmt::format(", {}: {}", name_of(static_cast<mavlink::SignatureVerdict>(i)), traffic.verdicts[i]);
   text += '\n';
   for (const auto& [reason, damage] : traffic.damages)
     text += fmt::format("skipped {} bytes: {} ({} times)\n", damage.bytes, reason, damage.count);
@@ -101,6 +104,13 @@ void print_json(const Traffic& traffic, const std::string& link) {
     json.member("system", unsigned{sender.system.value}).member("component", unsigned{sender.component.value});
     json.member("received", sender.received).member("lost", sender.lost()).member("late", sender.late);
     json.member("duplicates", sender.duplicates).end_object();
+    print_line(json);
+  }
+  for (std::size_t i = 0; i < traffic.verdicts.size(); ++i) {
+    if (traffic.verdicts[i] == 0) continue;
+    json.begin_object().member("kind", "signatures").member("link", std::string_view{link});
+    json.member("verdict", name_of(static_cast<mavlink::SignatureVerdict>(i))).member("count", traffic.verdicts[i]);
+    json.end_object();
     print_line(json);
   }
   for (const auto& [reason, damage] : traffic.damages) {

@@ -11,7 +11,10 @@ std::string MessageTally::name(mavlink::MessageId id) const {
 void Traffic::on_frame(std::size_t, std::optional<WallTime> time, const mavlink::FrameView& frame,
                        const mavlink::MessageInfo* message) {
   ++frames;
-  if (frame.is_signed()) ++signed_frames;
+  if (frame.is_signed()) {
+    ++signed_frames;
+    if (signer_) ++verdicts[static_cast<std::size_t>(signer_->verify(time.value_or(WallTime{}), frame))];
+  }
   ++start_bytes[u8(frame.whole, 0)];
   losses.on_frame(frame.system, frame.component, frame.sequence);
   auto& tally = messages[{frame.system, frame.component, frame.message}];

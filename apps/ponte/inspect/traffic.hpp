@@ -3,6 +3,7 @@
 #include "common/capture.hpp"
 #include "inspect/tally.hpp"
 #include "ponte/mavlink/link_statistics.hpp"
+#include "ponte/mavlink/signer.hpp"
 
 #include <map>
 #include <string>
@@ -19,6 +20,11 @@ struct MessageTally : Tally {
 /// Adds up what a capture holds: by message type, by sender, and what is no frame.
 class Traffic final : public CaptureSink {
  public:
+  /// With a key, signatures are verified.
+  explicit Traffic(const std::optional<mavlink::SigningKey>& key) {
+    if (key) signer_.emplace(*key, mavlink::SigningTime{});
+  }
+
   void on_frame(std::size_t offset, std::optional<WallTime> time, const mavlink::FrameView& frame,
                 const mavlink::MessageInfo* message) override;
   void on_damage(std::size_t offset, std::optional<WallTime> time, Bytes bytes, std::string_view reason) override;
@@ -40,7 +46,12 @@ class Traffic final : public CaptureSink {
   mavlink::LinkStatistics losses;
   std::uint64_t frames{};
   std::uint64_t signed_frames{};
+  /// What became of them; all zero without a key.
+  std::array<std::uint64_t, mavlink::signature_verdict_count> verdicts{};
   std::string first_damage;
+
+ private:
+  std::optional<mavlink::Signer> signer_;
 };
 
 }  // namespace ponte::app

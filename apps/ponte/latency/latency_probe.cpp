@@ -4,6 +4,7 @@
 #include "ponte/core/assert.hpp"
 #include "ponte/dli/messages/inertial_states.hpp"
 #include "ponte/mavlink/autopilots/attitude.hpp"
+#include "ponte/mavlink/codec.hpp"
 #include "ponte/mavlink/json.hpp"
 
 #include <algorithm>

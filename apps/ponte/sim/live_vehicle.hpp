@@ -1,19 +1,31 @@
 #pragma once
 
+#include "ponte/mavlink/link_guard.hpp"
 #include "ponte/mavlink/parser.hpp"
+#include "ponte/mavlink/signer.hpp"
 #include "ponte/sim/vehicle.hpp"
 #include "ponte/transport/link.hpp"
 #include "ponte/transport/loop.hpp"
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace ponte::app {
+
+/// What a vehicle signs and demands of its link.
+struct VehicleSecurity {
+  mavlink::LinkPolicy policy{};
+  mavlink::Signer* signer{};  ///< outlives the vehicle; nothing: nothing is signed
+  /// Nobody else can listen on the link, so the vehicle takes its key from there, by SETUP_SIGNING.
+  bool is_local{};
+};
 
 /// A simulated vehicle on a link, in real time (or `speedup` times as fast).
 class LiveVehicle final : public transport::LinkHandler {
  public:
-  LiveVehicle(transport::Loop& loop, const sim::VehicleConfig& config, double speedup);
+  LiveVehicle(transport::Loop& loop, const sim::VehicleConfig& config, double speedup,
+              const VehicleSecurity& security = {});
 
   /// The link that was opened with this object as its handler.
   void attach(std::unique_ptr<transport::Link> link) { link_ = std::move(link); }
@@ -26,21 +38,33 @@ class LiveVehicle final : public transport::LinkHandler {
 
   /// Arms the vehicle after so long, as a pilot would by command.
   void arm_after(Duration wait);
+  /// What came and was not taken.
+  [[nodiscard]] const mavlink::Refusals& refused() const { return refused_; }
 
  private:
   class Receiver;
+  struct Peer {
+    mavlink::Parser parser;
+    mavlink::LinkGuard guard;
+  };
 
   Timestamp simulated(Timestamp now) const;
-  void arm(Timestamp now, mavlink::SystemId target);
-  mavlink::Parser& parser_of(transport::PeerId peer);
+  void arm(Timestamp now);
+  Peer& find(transport::PeerId peer);
+  void set_up_signing(const mavlink::FrameView& frame);
   void send();
 
   transport::Loop& loop_;
+  mavlink::SystemId system_;
+  mavlink::Version version_;
   sim::Vehicle vehicle_;
   double speedup_;
   Timestamp power_on_;
   std::unique_ptr<transport::Link> link_;
-  std::map<transport::PeerId, std::unique_ptr<mavlink::Parser>> parsers_;
+  std::map<transport::PeerId, std::unique_ptr<Peer>> peers_;
+  VehicleSecurity security_;
+  std::optional<mavlink::Signer> set_up_;  ///< with the key of SETUP_SIGNING
+  mavlink::Refusals refused_{};
   Outbox<sim::Frame> out_{4 * sim::Vehicle::frames_per_step};
   transport::Timer timer_;
   transport::Timer arm_timer_;

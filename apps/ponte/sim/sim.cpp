@@ -2,7 +2,9 @@
 
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
+#include "common/kept_signer.hpp"
 #include "common/log.hpp"
+#include "common/mavlink_options.hpp"
 #include "ponte/transport/pty.hpp"
 #include "sim/live_vehicle.hpp"
 
@@ -20,7 +22,8 @@ namespace {
 struct Options {
   std::string endpoint{"udpout://127.0.0.1:14550"};
   std::string pty;
-  mavlink::Version version{mavlink::Version::v2};
+  MavlinkOptions mavlink;
+  bool is_local{};
   unsigned system{1};
   std::string home;
   double speedup{1};
@@ -53,24 +56,27 @@ sim::Position position_from(const std::string& text) {
 void run(const Options& options) {
   sim::VehicleConfig config;
   config.system = mavlink::SystemId{static_cast<std::uint8_t>(options.system)};
-  config.version = options.version;
+  config.version = version_from(options.mavlink);
   config.seed = options.seed;
   config.power_on = transport::Loop::wall();
   if (!options.home.empty()) config.start = position_from(options.home);
 
   transport::Loop loop;
-  LiveVehicle vehicle{loop, config, options.speedup};
+  const auto log = make_log(options.log);
+  const auto policy = link_policy_from(options.mavlink);
+  const auto kept = kept_signer_from(loop, options.mavlink, log);
+  LiveVehicle vehicle{loop, config, options.speedup, {policy, kept ? &kept->signer() : nullptr, options.is_local}};
   auto link = options.pty.empty() ? transport::open_link(loop, endpoint_from("--endpoint", options.endpoint), vehicle)
                                   : transport::open_pty(loop, options.pty, vehicle);
   if (!link) throw Failure{transport::to_text(link.error())};
-  make_log(options.log)
-      ->info("a copter, system {}, speaks MAVLink {} on {}", options.system, to_text(options.version),
-             options.pty.empty() ? options.endpoint : options.pty);
+  log->info("a copter, system {}, speaks MAVLink {} on {}", options.system, options.mavlink.version,
+            options.pty.empty() ? options.endpoint : options.pty);
   vehicle.attach(std::move(*link));
   if (options.arm_after_s)
     vehicle.arm_after(std::chrono::duration_cast<Duration>(std::chrono::duration<double>{*options.arm_after_s}));
   loop.on_signal([&](int) { loop.stop(); });
   loop.run();
+  log->info("the vehicle ends{}", refusals_in(vehicle.refused()));
 }
 
 }  // namespace
@@ -81,13 +87,9 @@ void add_sim(CLI::App& app) {
   auto* endpoint = command->add_option("--endpoint", options->endpoint, "Where it speaks")->capture_default_str();
   command->add_option("--pty", options->pty, "Make a serial port of this name instead, e.g. /tmp/ttyVehicle")
       ->excludes(endpoint);
-  command->add_option("--mavlink", options->version, "Version on the wire: 0.9, 1 or 2")
-      ->transform(CLI::CheckedTransformer{
-          std::map<std::string, mavlink::Version>{
-              {"0.9", mavlink::Version::v0_9}, {"1", mavlink::Version::v1}, {"2", mavlink::Version::v2}},
-          CLI::ignore_case}
-                      .description("{0.9,1,2}"))
-      ->default_str("2");
+  add_mavlink_options(*command, options->mavlink, "Version on the wire");
+  command->add_flag("--local", options->is_local,
+                    "Nobody else can listen on the link: the vehicle takes its signing key from there (SETUP_SIGNING)");
   command->add_option("--system", options->system, "System id")->check(CLI::Range(1U, 255U))->capture_default_str();
   command->add_option("--home", options->home, "LAT,LON,ALT in degrees and metres above sea level");
   command->add_option("--speedup", options->speedup, "Times as fast as real time")

@@ -6,6 +6,7 @@
 #include "common/json_line.hpp"
 #include "common/load_file.hpp"
 #include "common/log.hpp"
+#include "common/mavlink_options.hpp"
 #include "common/outgoing.hpp"
 #include "common/recorded_vsm.hpp"
 #include "common/vsm_options.hpp"
@@ -31,6 +32,7 @@ struct Options {
   std::string pcap;
   std::string dialect;
   VsmOptions vsm;
+  MavlinkOptions mavlink;
   LogOptions log;
 };
 
@@ -74,11 +76,16 @@ class Output {
 /// Feeds a capture to the VSM's engine, and counts what it holds.
 class Translator final : public CaptureSink {
  public:
-  Translator(const vsm::TelemetryConfig& config, Output& output) : vsm{config}, output_{output} {}
+  /// With a key, frames whose signature is not right are left out.
+  Translator(const vsm::TelemetryConfig& config, Output& output, const std::optional<mavlink::SigningKey>& key)
+      : vsm{config}, output_{output} {
+    if (key) signer_.emplace(*key, mavlink::SigningTime{});
+  }
 
   void on_frame(std::size_t, std::optional<WallTime> time, const mavlink::FrameView& frame,
                 const mavlink::MessageInfo* message) override {
     ++frames;
+    if (guard.examine(time.value_or(WallTime{}), frame, signer_ ? &*signer_ : nullptr)) return;
     senders.emplace(frame.system, frame.component);
     types.insert(frame.message);
     if (message == nullptr) {
@@ -104,6 +111,7 @@ class Translator final : public CaptureSink {
   }
 
   RecordedVsm vsm;
+  mavlink::LinkGuard guard{{.unsigned_frames = mavlink::UnsignedPolicy::all}};
   std::uint64_t frames{};
   std::set<std::pair<mavlink::SystemId, mavlink::ComponentId>> senders;
   std::set<mavlink::MessageId> types;
@@ -120,6 +128,7 @@ class Translator final : public CaptureSink {
   static constexpr std::size_t messages_per_frame = 256;
 
   Output& output_;
+  std::optional<mavlink::Signer> signer_;
   Outbox<vsm::OutgoingMessage> outbox_{messages_per_frame};
 };
 
@@ -135,9 +144,10 @@ std::string summary(const Translator& translator, const Output& output) {
   for (const auto& [id, count] : translator.unknown) unknown.push_back(fmt::format("unknown:{} {}", id.value, count));
   std::vector<std::string> damages;
   for (const auto& [reason, count] : translator.damages) damages.push_back(fmt::format("{} {}", reason, count));
-  auto text = fmt::format("read        {} frames of {} message types from {} senders, {:.1f} s\n", translator.frames,
+  auto text = fmt::format("read        {} frames of {} message types from {} senders, {:.1f} s{}\n", translator.frames,
                           translator.types.size(), translator.senders.size(),
-                          std::chrono::duration<double>(translator.vsm.length()).count());
+                          std::chrono::duration<double>(translator.vsm.length()).count(),
+                          refusals_in(translator.guard.refused()));
   text += fmt::format("translated  {} DLI messages of {} vehicle(s)\n{}", translated, translator.vsm.vehicle_count(),
                       fmt::join(numbers, ""));
   text += fmt::format("unknown     {}\n", unknown.empty() ? "none" : fmt::format("{}", fmt::join(unknown, ", ")));
@@ -156,7 +166,7 @@ void run(const Options& options) {
     throw Failure{fmt::format("{}: {}", options.file, file.damage.empty() ? "the file is empty" : file.damage)};
 
   Output output{options, profile};
-  Translator translator{config, output};
+  Translator translator{config, output, signing_key_from(options.mavlink)};
   read_capture(file.bytes, dialect.dialect(), translator);
 
   if (translator.frames == 0)
@@ -181,6 +191,7 @@ void add_translate(CLI::App& app) {
       ->required();
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
   command->add_option("--pcap", options->pcap, "Write the DLI datagrams to a capture for Wireshark");
+  add_signing_key_option(*command, options->mavlink);
   add_dialect_option(*command, options->dialect);
   add_vsm_options(*command, options->vsm);
   add_log_options(*command, options->log);

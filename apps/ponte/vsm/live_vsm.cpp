@@ -25,10 +25,11 @@ std::string_view words_for(autopilot::FleetFact::Kind kind) {
 
 }  // namespace
 
-LiveVsm::LiveVsm(transport::Loop& loop, const vsm::BridgeConfig& config, Log log)
+LiveVsm::LiveVsm(transport::Loop& loop, const vsm::BridgeConfig& config, Log log, mavlink::Signer* signer)
     : loop_{loop},
       config_{config},
-      bridge_{config, this},
+      signer_{signer},
+      bridge_{config, this, signer},
       log_{std::move(log)},
       timer_{loop, [this](Timestamp now) {
                bridge_.on_tick(now, transport::Loop::wall());
@@ -137,6 +138,22 @@ void LiveVsm::send(const vsm::OutgoingMessage& message) {
   if (observer_) observer_(message);
 }
 
+void LiveVsm::on_refused(autopilot::LinkId link, mavlink::Refusal refusal, std::uint64_t count) {
+  if (count > 1) return;
+  const auto* side = side_of(link);
+  log_->warn("{}: frames are refused: {}", side != nullptr ? side->name_of(link) : std::string{"a link"},
+             name_of(refusal));
+}
+
+/// MAVLink 1, which a peer may speak until its first signature, cannot be signed.
+void LiveVsm::send(autopilot::OutgoingFrame frame) {
+  if (signer_ != nullptr && frame.buffer[0] == mavlink::start_v2)
+    frame.size =
+        signer_->sign(transport::Loop::wall(), static_cast<std::uint8_t>(frame.link.value), frame.buffer, frame.size);
+  for (const auto& side : vehicle_sides_)
+    if (side->send(frame)) return;
+}
+
 /// Sends what the clock, and no frame, has called for.
 void LiveVsm::send_due() {
   if (bridge_.messages.empty()) return;
@@ -151,10 +168,7 @@ void LiveVsm::send_due() {
 /// Carries out what the bridge wants done.
 void LiveVsm::pump() {
   send_due();
-  bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) {
-    for (const auto& side : vehicle_sides_)
-      if (side->send(frame)) break;
-  });
+  bridge_.frames.drain([&](const autopilot::OutgoingFrame& frame) { send(frame); });
   bridge_.facts.drain([&](const autopilot::FleetFact& fact) {
     if (const auto* side = side_of(fact.link))
       tell_fact(side->id(), side->name_of(fact.link), fact);

@@ -28,7 +28,8 @@ class LiveVsm final : private vsm::BridgeListener {
   using Observer = std::function<void(const vsm::OutgoingMessage&)>;
   using CrossingObserver = std::function<void(const Crossing&)>;
 
-  LiveVsm(transport::Loop& loop, const vsm::BridgeConfig& config, Log log);
+  /// What goes out on links of vehicles is signed if there is a signer, which outlives us.
+  LiveVsm(transport::Loop& loop, const vsm::BridgeConfig& config, Log log, mavlink::Signer* signer = nullptr);
   ~LiveVsm() override;
 
   /// Listens to vehicles there, or replays a recording, which is translated in its own time, every sample. Throws
@@ -67,6 +68,7 @@ class LiveVsm final : private vsm::BridgeListener {
   void on_decoded(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
   void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
   void on_skipped(autopilot::LinkId link, Bytes run, mavlink::SkipReason reason) override;
+  void on_refused(autopilot::LinkId link, mavlink::Refusal refusal, std::uint64_t count) override;
 
   /// What is being read from now on: where it comes from, and when.
   void begin(vsm::VehicleLinkId id, std::string_view link, WallTime time, Timestamp received);
@@ -75,6 +77,7 @@ class LiveVsm final : private vsm::BridgeListener {
     for (auto* watcher : watchers_) (watcher->*what)(arguments...);
   }
   void send(const vsm::OutgoingMessage& message);
+  void send(autopilot::OutgoingFrame frame);
   void send_due();
   void pump();
   void finish_if_all_have();
@@ -87,6 +90,7 @@ class LiveVsm final : private vsm::BridgeListener {
 
   transport::Loop& loop_;
   vsm::BridgeConfig config_;
+  mavlink::Signer* signer_;
   vsm::Bridge bridge_;
   Log log_;
   Observer observer_;

@@ -2,6 +2,7 @@
 
 #include "common/capture.hpp"
 #include "common/failure.hpp"
+#include "common/mavlink_options.hpp"
 #include "vsm/link_log.hpp"
 
 #include <fmt/format.h>
@@ -105,6 +106,7 @@ void VehicleSide::Traffic::add(const vsm::Bridge::Link& link) {
   frames += counters.frames;
   unknown += counters.unknown_frames;
   for (std::size_t i = 0; i < skipped.size(); ++i) skipped[i] += counters.skipped[i];
+  for (std::size_t i = 0; i < refused.size(); ++i) refused[i] += link.guard.refused()[i];
   for (const auto& sender : link.losses.senders()) lost += sender.lost();
 }
 
@@ -117,10 +119,11 @@ void VehicleSide::log_counters() const {
     if (traffic.skipped[i] > 0)
       skipped.push_back(fmt::format("{} {}", traffic.skipped[i], app::name_of(static_cast<mavlink::SkipReason>(i))));
   const auto& counters = link_->counters();
-  owner_.log_->info("{}: {} bytes in, {} frames, {} of unknown messages, {} lost, bytes skipped: {}; {} messages out{}",
-                    name_, counters.bytes_in, traffic.frames, traffic.unknown, traffic.lost,
-                    skipped.empty() ? "none" : fmt::format("{}", fmt::join(skipped, ", ")), counters.messages_out,
-                    drops_in(counters));
+  owner_.log_->info(
+      "{}: {} bytes in, {} frames, {} of unknown messages, {} lost, bytes skipped: {}; {} messages out{}{}", name_,
+      counters.bytes_in, traffic.frames, traffic.unknown, traffic.lost,
+      skipped.empty() ? "none" : fmt::format("{}", fmt::join(skipped, ", ")), counters.messages_out, drops_in(counters),
+      refusals_in(traffic.refused));
 }
 
 autopilot::LinkId VehicleSide::number_of(Timestamp now, transport::PeerId peer) {

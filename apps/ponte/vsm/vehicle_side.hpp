@@ -39,6 +39,7 @@ class VehicleSide final : public transport::LinkHandler {
     std::uint64_t unknown{};
     std::uint64_t lost{};
     std::array<std::uint64_t, mavlink::skip_reason_count> skipped{};
+    mavlink::Refusals refused{};
 
     void add(const vsm::Bridge::Link& link);
   };

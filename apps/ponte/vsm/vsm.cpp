@@ -3,7 +3,9 @@
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
 #include "common/json_line.hpp"
+#include "common/kept_signer.hpp"
 #include "common/log.hpp"
+#include "common/mavlink_options.hpp"
 #include "common/outgoing.hpp"
 #include "common/realtime.hpp"
 #include "common/vsm_options.hpp"
@@ -26,6 +28,7 @@ struct Options {
   std::vector<std::string> vehicles;
   std::vector<std::string> dli;
   VsmOptions vsm;
+  MavlinkOptions mavlink;
   bool json{};
   bool every_sample{};
   bool listen_only{};
@@ -57,10 +60,13 @@ void run(const Options& options) {
   else
     config.rates.full_refresh = std::chrono::duration_cast<Duration>(std::chrono::duration<double>{options.refresh_s});
   config.fleet.ask_for_streams = !options.listen_only;
+  config.fleet.version = version_from(options.mavlink);
+  config.link_policy = link_policy_from(options.mavlink);
 
   transport::Loop loop;
   const auto log = make_log(options.log);
-  LiveVsm vsm{loop, config, log};
+  const auto kept = kept_signer_from(loop, options.mavlink, log);
+  LiveVsm vsm{loop, config, log, kept ? &kept->signer() : nullptr};
   for (const auto& text : options.vehicles) vsm.add_vehicle(endpoint_from("--vehicle", text));
   for (const auto& text : options.dli) vsm.add_dli(endpoint_from("--dli", text));
   JsonText json;
@@ -86,6 +92,7 @@ void add_vsm(CLI::App& app) {
   command->add_option("--vehicle", options->vehicles,
                       "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording");
   command->add_option("--dli", options->dli, "Where ground stations are, e.g. udpmulticast://239.255.45.86:45860");
+  add_mavlink_options(*command, options->mavlink, "Version that a vehicle is spoken to in until it shows its own");
   add_vsm_options(*command, options->vsm);
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
   command->add_flag("--every-sample", options->every_sample, "A message for every sample, with unchanged fields too");

@@ -165,7 +165,7 @@ HttpResponse Router::read(std::string_view name, const HttpRequest& request) {
   HttpResponse response{.body = shared_text(std::move(*result))};
   if (format == "json") return response;
   response.type = fmt::format("text/{}; charset=utf-8", format);
-  response.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"latency.{}\"", format));
+  response.headers.emplace_back("Content-Disposition", fmt::format("attachment; filename=\"ponte-latency.{}\"", format));
   return response;
 }
 

@@ -194,7 +194,7 @@ TEST(Router, HandsOutTheStudy) {
   site.actions.has_study = true;
   EXPECT_EQ(site.ask(request).text(), "json");
   request.query = "format=csv";
-  EXPECT_EQ(header(site.ask(request), "Content-Disposition"), "attachment; filename=\"latency.csv\"");
+  EXPECT_EQ(header(site.ask(request), "Content-Disposition"), "attachment; filename=\"ponte-latency.csv\"");
   request.query = "format=exe";
   EXPECT_EQ(site.ask(request).status, 400U);
 }

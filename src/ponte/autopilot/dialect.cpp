@@ -5,7 +5,9 @@
 
 namespace ponte::autopilot {
 
-const mavlink::Dialect dialect{mavlink::autopilots::dialect.name, mavlink::autopilots::dialect.messages,
-                               &mavlink::v09::dialect};
+const mavlink::Dialect dialect{.name = mavlink::autopilots::dialect.name,
+                               .messages = mavlink::autopilots::dialect.messages,
+                               .v09 = &mavlink::v09::dialect,
+                               .low = mavlink::autopilots::dialect.low};
 
 }  // namespace ponte::autopilot

@@ -52,7 +52,7 @@ FleetSession::Link* FleetSession::find(LinkId link) {
 
 void FleetSession::on_link_up(Timestamp now, LinkId link) {
   if (find(link) != nullptr || links_.size() == link_limit) return;
-  links_.push_back({link, config_.version, 0});
+  links_.push_back({.id = link, .version = config_.version});
   next_heartbeat_ = now;  // autopilots stay silent until they hear a ground station
 }
 
@@ -85,7 +85,7 @@ void FleetSession::send(LinkId link, const M& message, Outbox<OutgoingFrame>& ou
 bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
                             Outbox<FleetFact>& facts) {
   on_tick(now, out, facts);
-  if (auto* peer = find(link)) peer->version = frame.version;
+  if (auto* peer = find(link)) note_version(*peer, frame);
   if (mavlink::carries<messages::Timesync>(frame)) answer_timesync(now, link, frame, out);
   if (const auto announcement = announcement_in(frame))
     return on_heartbeat(now, link, frame, *announcement, out, facts);
@@ -96,6 +96,13 @@ bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView
   if (mavlink::carries<messages::Attitude>(frame) || mavlink::carries<messages_v09::Attitude>(frame))
     vehicle->last_attitude = now;
   return true;
+}
+
+/// We speak the version that was heard last. Who has signed a frame is spoken to in MAVLink 2 from then on: a stray frame
+/// of an older version must not make us send what cannot be signed.
+void FleetSession::note_version(Link& link, const mavlink::FrameView& frame) {
+  link.has_signed = link.has_signed || frame.is_signed();
+  link.version = link.has_signed ? mavlink::Version::v2 : frame.version;
 }
 
 std::optional<FleetSession::Announcement> FleetSession::announcement_in(const mavlink::FrameView& frame) {

@@ -98,6 +98,7 @@ class FleetSession {
   struct Link {
     LinkId id{};
     mavlink::Version version{};
+    bool has_signed{};
     std::uint8_t sequence{};
   };
 
@@ -112,6 +113,7 @@ class FleetSession {
   static std::optional<Announcement> announcement_in(const mavlink::FrameView& frame);
   bool on_heartbeat(Timestamp now, LinkId link, const mavlink::FrameView& frame, const Announcement& announcement,
                     Outbox<OutgoingFrame>& out, Outbox<FleetFact>& facts);
+  static void note_version(Link& link, const mavlink::FrameView& frame);
   void on_system_time(Timestamp now, Vehicle& vehicle, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
                       Outbox<FleetFact>& facts);
   void tell_duplicate(Vehicle& vehicle, LinkId link, Outbox<FleetFact>& facts);

@@ -8,6 +8,7 @@
 #include "ponte/mavlink/autopilots/system_time.hpp"
 #include "ponte/mavlink/autopilots/timesync.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/mavlink/signer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,7 +45,10 @@ class Bench {
         message,
         {.version = version, .system = mavlink::SystemId{system}, .component = mavlink::ComponentId{component}},
         buffer);
-    const bool followed = session.on_frame(now, link, *mavlink::parse_frame(Bytes{buffer}.first(*size)), out, facts);
+    return hear(now, link, Bytes{buffer}.first(*size));
+  }
+  bool hear(Timestamp now, LinkId link, Bytes frame) {
+    const bool followed = session.on_frame(now, link, *mavlink::parse_frame(frame), out, facts);
     collect();
     return followed;
   }
@@ -249,6 +253,18 @@ TEST(FleetSession, SpeaksTheVersionOfItsPeer) {
   bench.hear(start, copter, 1, radio, 1, mavlink::Version::v1);
   ASSERT_FALSE(bench.sent.empty());
   EXPECT_EQ(bench.sent.front().buffer[0], mavlink::start_v1);
+}
+
+TEST(FleetSession, IsNotTalkedDownToMavlink1ByOneFrameOnceTheLinkIsSigned) {
+  Bench bench;
+  mavlink::Signer signer{mavlink::SigningKey{std::array<std::byte, mavlink::SigningKey::size>{}}, {}};
+  std::array<std::byte, mavlink::max_frame_size> buffer{};
+  const auto size = signer.sign({}, 1, buffer, mavlink::encode(copter, {}, buffer).value());
+  bench.hear(start, radio, Bytes{buffer}.first(size));
+  bench.clear();
+  bench.hear(start, copter, 1, radio, 1, mavlink::Version::v1);
+  ASSERT_FALSE(bench.sent.empty());
+  for (const auto& frame : bench.sent) EXPECT_EQ(frame.buffer[0], mavlink::start_v2);
 }
 
 TEST(FleetSession, AnswersTimesyncRequestsOnly) {

@@ -47,6 +47,24 @@ TEST(MavlinkReader, AgreesWithThePublishedChecksumSeedsAndLengths) {
   }
 }
 
+TEST(MavlinkReader, Mavlink09KeepsTheOrderAndHasNoChecksumSeed) {
+  const auto protocol = read_mavlink_text(
+      "<mavlink wire='0.9'><messages>"
+      "<message id='9' name='LONG'><field type='uint8_t_mavlink_version' name='v'/><field type='float' "
+      "name='x'/></message>"
+      "<message id='9' name='SHORT'><field type='int16_t' name='y'/></message>"
+      "</messages></mavlink>",
+      "test.xml");
+  EXPECT_TRUE(protocol.v09);
+  ASSERT_EQ(protocol.messages.size(), 2U);
+  EXPECT_EQ(protocol.messages[0].name, "SHORT") << "by length";
+  const auto& message = protocol.messages[1];
+  EXPECT_EQ(message.crc_extra, 0);
+  EXPECT_EQ(message.fields[0].offset, 0U);
+  EXPECT_EQ(message.fields[0].initial, "2");
+  EXPECT_EQ(message.fields[1].offset, 1U);
+}
+
 TEST(MavlinkReader, PutsWideFieldsFirstAndExtensionsLastUnsorted) {
   const auto& battery = message_of(autopilots(), 147);
   EXPECT_EQ(battery.fields.front().name, "id");  // as defined, not as sent

@@ -31,6 +31,20 @@ TEST(MavlinkRefusals, NameTheRootThatIsExpected) {
   EXPECT_EQ(refusal("<mavlinks></mavlinks>"), "test.xml:1: the root element is not <mavlink>");
 }
 
+TEST(MavlinkRefusals, KeepTheRulesOfTheWireFormat) {
+  EXPECT_EQ(refusal("<mavlink wire='0.8'/>"), "test.xml:1: wire is '0.8', expected 0.9 or none");
+  const auto old = [](std::string_view messages) {
+    return refusal(fmt::format("<mavlink wire='0.9'><messages>\n{}</messages></mavlink>", messages));
+  };
+  EXPECT_EQ(old("<message id='256' name='A'><field type='char' name='x'/></message>"),
+            "test.xml:2: id of A must be 0 to 255");
+  EXPECT_EQ(old("<message id='1' name='A'><field type='char' name='x'/><extensions/></message>"),
+            "test.xml:2: MAVLink 0.9 has no extension fields");
+  EXPECT_EQ(old("<message id='1' name='A'><field type='char' name='x'/></message>\n"
+                "<message id='1' name='B'><field type='int8_t' name='y'/></message>"),
+            "test.xml:3: message B has the id 1 of A, defined at test.xml:2");
+}
+
 TEST(MavlinkRefusals, NameTheTypeThatIsNotOne) {
   EXPECT_EQ(refusal_of_fields("<field type='uint24_t' name='x'/>"),
             "test.xml:4: type 'uint24_t' of x is not a MAVLink type");

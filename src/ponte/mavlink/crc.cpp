@@ -41,7 +41,7 @@ inline unsigned add_block(const std::byte* at, std::size_t size, unsigned crc) {
 
 }  // namespace
 
-std::uint16_t crc_of(Bytes bytes, std::uint16_t before) {
+std::uint16_t detail::crc_by_tables(Bytes bytes, std::uint16_t before) {
   unsigned crc = before;
   const std::byte* at = bytes.data();
   std::size_t left = bytes.size();
@@ -54,10 +54,6 @@ std::uint16_t crc_of(Bytes bytes, std::uint16_t before) {
   if (left >= 2) return static_cast<std::uint16_t>(add_block(at, left, crc));
   if (left == 1) return crc_of(std::to_integer<std::uint8_t>(*at), static_cast<std::uint16_t>(crc));
   return static_cast<std::uint16_t>(crc);
-}
-
-std::uint16_t crc_of(std::uint8_t byte, std::uint16_t before) {
-  return static_cast<std::uint16_t>((unsigned{before} >> 8U) ^ tables[0][(before ^ byte) & 0xFFU]);
 }
 
 }  // namespace ponte::mavlink

@@ -4,101 +4,43 @@
 #include "ponte/mavlink/crc.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
 namespace ponte::mavlink {
 namespace {
 
-constexpr std::uint8_t flag_signed = 0x01;
-constexpr std::size_t checksum_size = 2;
-
-Result<FrameView, FrameError> parse_v2(Bytes input) {
-  if (input.size() < 3) return fail(FrameError::incomplete);
-  const auto flags = u8(input, 2);
-  if ((flags & ~flag_signed) != 0) return fail(FrameError::unknown_flag);
-
-  const auto begin = header_size(Version::v2);
-  const std::size_t length = u8(input, 1);
-  const auto size = begin + length + checksum_size + (flags != 0 ? signature_size : 0);
-  if (input.size() < size) return fail(FrameError::incomplete);
-  return FrameView{
-      .version = Version::v2,
-      .incompatibility_flags = flags,
-      .compatibility_flags = u8(input, 3),
-      .sequence = u8(input, 4),
-      .system = SystemId{u8(input, 5)},
-      .component = ComponentId{u8(input, 6)},
-      .message = MessageId{u16_le(input, 7) + (std::uint32_t{u8(input, 9)} << 16U)},
-      .payload = input.subspan(begin, length),
-      .whole = input.first(size),
-  };
-}
-
 /// Of the frame that begins at the first byte of `input`, as far as its bytes tell.
 std::size_t size_at_least(Bytes input) {
   const bool is_v2 = !input.empty() && input[0] == start_v2;
   const auto begin = header_size(is_v2 ? Version::v2 : Version::v1);
   const std::size_t length = input.size() > 1 ? u8(input, 1) : 0;
-  const bool is_signed = is_v2 && input.size() > 2 && (u8(input, 2) & flag_signed) != 0;
-  return begin + length + checksum_size + (is_signed ? signature_size : 0);
+  const bool is_signed = is_v2 && input.size() > 2 && (u8(input, 2) & detail::flag_signed) != 0;
+  return begin + length + detail::checksum_size + (is_signed ? signature_size : 0);
 }
 
-/// The header of MAVLink 0.9 is that of MAVLink 1.
-Result<FrameView, FrameError> parse_v1(Bytes input, Version version) {
-  if (input.size() < 2) return fail(FrameError::incomplete);
-  const auto begin = header_size(version);
-  const std::size_t length = u8(input, 1);
-  const auto size = begin + length + checksum_size;
-  if (input.size() < size) return fail(FrameError::incomplete);
-  return FrameView{
-      .version = version,
-      .sequence = u8(input, 2),
-      .system = SystemId{u8(input, 3)},
-      .component = ComponentId{u8(input, 4)},
-      .message = MessageId{u8(input, 5)},
-      .payload = input.subspan(begin, length),
-      .whole = input.first(size),
-  };
+bool begins_frame(std::byte byte) { return byte == start_v0_9 || byte == start_v1 || byte == start_v2; }
+
+using Block [[gnu::vector_size(16)]] = std::uint8_t;
+using Half [[gnu::vector_size(8)]] = std::uint8_t;
+
+/// All bits of each byte of the block that can begin a frame; as words of 8 bytes.
+template <class Words, class AnyBlock>
+Words starts_in(const std::byte* at) {
+  AnyBlock block;
+  std::memcpy(&block, at, sizeof block);
+  const auto is = [&](std::byte start) { return block == std::to_integer<std::uint8_t>(start); };
+  return std::bit_cast<Words>(is(start_v0_9) | is(start_v1) | is(start_v2));
 }
 
-Result<FrameView, FrameError> parse_v0_9(Bytes input) {
-  auto frame = parse_v1(input, Version::v0_9);
-  if (frame && !checksum_matches(*frame, 0)) return fail(FrameError::checksum);
-  return frame;
-}
-
-/// Zero if no byte of `word` equals `wanted`; otherwise the lowest bit that is set lies in the first byte that does.
-constexpr std::uint64_t marks_of(std::uint64_t word, std::byte wanted) {
-  constexpr std::uint64_t ones = 0x0101'0101'0101'0101;
-  const auto difference = word ^ (ones * std::to_integer<std::uint64_t>(wanted));
-  return (difference - ones) & ~difference & (ones << 7U);
-}
+std::size_t first_marked(std::uint64_t word) { return static_cast<std::size_t>(std::countr_zero(word)) / 8; }
 
 }  // namespace
-
-const MessageInfo* find_message(const Dialect& dialect, const FrameView& frame) {
-  if (frame.version == Version::v0_9) return dialect.find_v09(frame.message, frame.payload.size());
-  return dialect.find(frame.message);
-}
-
-Result<FrameView, FrameError> parse_frame(Bytes input) {
-  if (input.empty()) return fail(FrameError::incomplete);
-  if (input[0] == start_v2) return parse_v2(input);
-  if (input[0] == start_v1) return parse_v1(input, Version::v1);
-  if (input[0] == start_v0_9) return parse_v0_9(input);
-  return fail(FrameError::not_a_frame);
-}
 
 std::size_t missing_bytes(Bytes input) {
   const auto size = size_at_least(input);
   return size > input.size() ? size - input.size() : 1;
-}
-
-bool checksum_matches(const FrameView& frame, std::uint8_t crc_extra) {
-  const auto covered = frame.whole.subspan(1, header_size(frame.version) - 1 + frame.payload.size());
-  const auto crc = crc_of(covered);
-  return (frame.version == Version::v0_9 ? crc : crc_of(crc_extra, crc)) == frame.checksum();
 }
 
 Bytes readable_payload(const FrameView& frame, const MessageInfo& message) {
@@ -108,12 +50,17 @@ Bytes readable_payload(const FrameView& frame, const MessageInfo& message) {
 
 std::size_t find_start(Bytes bytes) {
   std::size_t at = 0;
-  for (; at + 8 <= bytes.size(); at += 8) {
-    const auto word = load_le<std::uint64_t>(&bytes[at]);
-    const auto marks = marks_of(word, start_v0_9) | marks_of(word, start_v1) | marks_of(word, start_v2);
-    if (marks != 0) return at + static_cast<std::size_t>(std::countr_zero(marks)) / 8;
+  for (; at + sizeof(Block) <= bytes.size(); at += sizeof(Block)) {
+    const auto halves = starts_in<std::array<std::uint64_t, 2>, Block>(&bytes[at]);
+    if (halves[0] != 0) return at + first_marked(halves[0]);
+    if (halves[1] != 0) return at + sizeof(Half) + first_marked(halves[1]);
   }
-  while (at < bytes.size() && bytes[at] != start_v0_9 && bytes[at] != start_v1 && bytes[at] != start_v2) ++at;
+  if (at + sizeof(Half) <= bytes.size()) {
+    const auto starts = starts_in<std::uint64_t, Half>(&bytes[at]);
+    if (starts != 0) return at + first_marked(starts);
+    at += sizeof(Half);
+  }
+  while (at < bytes.size() && !begins_frame(bytes[at])) ++at;
   return at;
 }
 
@@ -154,7 +101,7 @@ Result<std::size_t, WriteError> seal_frame(const FrameHeader& header, const Mess
   out[1] = static_cast<std::byte>(length);
   const auto crc = crc_of(out.subspan(1, begin - 1 + length));
   store_le(&out[begin + length], message.is_v09() ? crc : crc_of(message.crc_extra, crc));
-  return begin + length + checksum_size;
+  return begin + length + detail::checksum_size;
 }
 
 }  // namespace ponte::mavlink

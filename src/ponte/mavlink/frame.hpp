@@ -2,6 +2,7 @@
 
 #include "ponte/core/bytes.hpp"
 #include "ponte/core/result.hpp"
+#include "ponte/mavlink/crc.hpp"
 #include "ponte/mavlink/message_info.hpp"
 
 #include <cstddef>
@@ -103,5 +104,79 @@ enum class WriteError {
 /// behind the beginning of `out`: adds what is around it.
 [[nodiscard]] Result<std::size_t, WriteError> seal_frame(const FrameHeader& header, const MessageInfo& message,
                                                          MutableBytes out);
+
+// What follows is inline because it is done for every frame.
+
+namespace detail {
+
+inline constexpr std::uint8_t flag_signed = 0x01;
+inline constexpr std::size_t checksum_size = 2;
+
+[[gnu::always_inline]] inline Result<FrameView, FrameError> parse_v2(Bytes input) {
+  if (input.size() < 3) return fail(FrameError::incomplete);
+  const auto flags = u8(input, 2);
+  if ((flags & ~flag_signed) != 0) return fail(FrameError::unknown_flag);
+
+  const auto begin = header_size(Version::v2);
+  const std::size_t length = u8(input, 1);
+  const auto size = begin + length + checksum_size + (flags != 0 ? signature_size : 0);
+  if (input.size() < size) return fail(FrameError::incomplete);
+  return FrameView{
+      .version = Version::v2,
+      .incompatibility_flags = flags,
+      .compatibility_flags = u8(input, 3),
+      .sequence = u8(input, 4),
+      .system = SystemId{u8(input, 5)},
+      .component = ComponentId{u8(input, 6)},
+      .message = MessageId{u16_le(input, 7) + (std::uint32_t{u8(input, 9)} << 16U)},
+      .payload = input.subspan(begin, length),
+      .whole = input.first(size),
+  };
+}
+
+/// The header of MAVLink 0.9 is that of MAVLink 1.
+inline Result<FrameView, FrameError> parse_v1(Bytes input, Version version) {
+  if (input.size() < 2) return fail(FrameError::incomplete);
+  const auto begin = header_size(version);
+  const std::size_t length = u8(input, 1);
+  const auto size = begin + length + checksum_size;
+  if (input.size() < size) return fail(FrameError::incomplete);
+  return FrameView{
+      .version = version,
+      .sequence = u8(input, 2),
+      .system = SystemId{u8(input, 3)},
+      .component = ComponentId{u8(input, 4)},
+      .message = MessageId{u8(input, 5)},
+      .payload = input.subspan(begin, length),
+      .whole = input.first(size),
+  };
+}
+
+inline Result<FrameView, FrameError> parse_v0_9(Bytes input) {
+  auto frame = parse_v1(input, Version::v0_9);
+  if (frame && !checksum_matches(*frame, 0)) return fail(FrameError::checksum);
+  return frame;
+}
+
+}  // namespace detail
+
+[[gnu::always_inline]] inline Result<FrameView, FrameError> parse_frame(Bytes input) {
+  if (input.empty()) return fail(FrameError::incomplete);
+  if (input[0] == start_v2) return detail::parse_v2(input);
+  if (input[0] == start_v1) return detail::parse_v1(input, Version::v1);
+  if (input[0] == start_v0_9) return detail::parse_v0_9(input);
+  return fail(FrameError::not_a_frame);
+}
+
+inline const MessageInfo* find_message(const Dialect& dialect, const FrameView& frame) {
+  if (frame.version == Version::v0_9) return dialect.find_v09(frame.message, frame.payload.size());
+  return dialect.find(frame.message);
+}
+
+inline bool checksum_matches(const FrameView& frame, std::uint8_t crc_extra) {
+  const auto covered = frame.whole.subspan(1, header_size(frame.version) - 1 + frame.payload.size());
+  const auto crc = crc_of(covered);
+  return (frame.version == Version::v0_9 ? crc : crc_of(crc_extra, crc)) == frame.checksum();
+}
 
 }  // namespace ponte::mavlink

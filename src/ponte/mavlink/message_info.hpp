@@ -3,6 +3,7 @@
 #include "ponte/core/id.hpp"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -105,8 +106,10 @@ concept Message = requires(M message) {
 struct Dialect {
   std::string_view name;
   std::span<const MessageInfo* const> messages;  ///< by id, ascending
-  /// What is spoken in MAVLink 0.9, by id and then length; nothing: not at all, and no frame of it is recognised.
+  /// What is spoken in MAVLink 0.9, by id and then length; nothing: its messages are unknown.
   const Dialect* v09{};
+  /// The messages with the ids 0, 1, 2 ..., nothing where there is none; may be shorter than needed, or empty.
+  std::span<const MessageInfo* const> low{};
 
   /// True if `messages` are those of MAVLink 0.9: such a dialect is the `v09` of another.
   [[nodiscard]] constexpr bool is_v09() const { return !messages.empty() && messages.front()->is_v09(); }
@@ -123,6 +126,7 @@ struct Dialect {
 
   /// The message of MAVLink 1 and 2 with this id, or nothing.
   [[nodiscard]] constexpr const MessageInfo* find(MessageId id) const {
+    if (id.value < low.size()) return low[id.value];
     const auto* const at = first_from(id);
     return at != messages.data() + messages.size() && (*at)->id == id ? *at : nullptr;
   }
@@ -140,5 +144,13 @@ struct Dialect {
                             [](const MessageInfo* message, MessageId wanted) { return message->id < wanted; });
   }
 };
+
+/// For `Dialect::low`: nearly all messages that are sent have such ids.
+[[nodiscard]] constexpr auto low_messages(std::span<const MessageInfo* const> messages) {
+  std::array<const MessageInfo*, 512> low{};
+  for (const auto* message : messages)
+    if (message->id.value < low.size()) low[message->id.value] = message;
+  return low;
+}
 
 }  // namespace ponte::mavlink

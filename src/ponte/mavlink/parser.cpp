@@ -14,22 +14,32 @@ bool has_expected_length(const FrameView& frame, const MessageInfo& message) {
   return frame.version == Version::v2 ? size <= message.full_length : size == message.base_length;
 }
 
+/// How many more bytes of the frame that begins at the first byte of `input` decide nothing.
+std::uint16_t bytes_without_news(Bytes input) {
+  const std::size_t telling = input.empty() || input[0] != start_v2 ? 2 : 3;  // length, flags
+  const auto needed = input.size() < telling ? telling - input.size() : missing_bytes(input);
+  return static_cast<std::uint16_t>(needed - 1);
+}
+
 }  // namespace
 
-void Parser::on_bytes(Timestamp now, Bytes bytes, FrameSink& sink) {
-  on_tick(now, sink);
-  if (bytes.empty()) return;
+void Parser::decide(Timestamp now, Bytes bytes, FrameSink& sink) {
   const auto rest = consume_held(bytes, sink);
   if (!rest.empty()) keep(rest.subspan(consume(rest, rest.size(), Ending::open, sink)));
   deadline_.reset();
-  if (is_unfinished_) deadline_ = now + silence_limit;
+  patience_ = 0;
+  if (!is_unfinished_) return;
+  deadline_ = now + silence_limit;
+  // Where bytes are kept behind the present position, another frame may begin with them.
+  const auto held = Bytes{held_}.first(held_size_);
+  patience_ = std::min(bytes_without_news(held), bytes_without_news(held.subspan(behind_)));
 }
 
-void Parser::on_tick(Timestamp now, FrameSink& sink) {
-  if (!deadline_ || now < *deadline_) return;
+void Parser::give_up(FrameSink& sink) {
   const auto held = Bytes{held_}.first(held_size_);
   keep(held.subspan(consume(held, held.size(), Ending::silence, sink)));
   deadline_.reset();
+  patience_ = 0;
 }
 
 std::size_t Parser::bytes_needed() const { return missing_bytes(Bytes{held_}.first(held_size_).subspan(behind_)); }
@@ -38,6 +48,7 @@ void Parser::finish(FrameSink& sink) {
   if (held_size_ > 0) consume(Bytes{held_}.first(held_size_), held_size_, Ending::end, sink);
   held_size_ = 0;
   deadline_.reset();
+  patience_ = 0;
 }
 
 void Parser::on_datagram(Bytes datagram, FrameSink& sink) {
@@ -73,7 +84,7 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
   while (at < stop) {
     const auto rest = input.subspan(at);
     const auto frame = parse_frame(rest);
-    const auto* message = frame ? index_.find(*frame) : nullptr;
+    const auto* message = frame ? find_message(*dialect_, *frame) : nullptr;
     const auto verdict = message != nullptr ? judge_known(*frame, *message)
                          : frame ? Verdict{judge_unknown(rest, frame->whole.size(), ending), SkipReason::unconfirmed}
                                  : judge_error(frame.error(), ending);
@@ -93,7 +104,7 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
       const auto overlapping = parse_frame(input.subspan(at - shared));
       is_unfinished_ = !overlapping;
       if (is_unfinished_) return at - shared;
-      deliver(*overlapping, index_.find(*overlapping), shared, sink);
+      deliver(*overlapping, find_message(*dialect_, *overlapping), shared, sink);
       at += overlapping->whole.size() - shared;
       continue;
     }
@@ -140,14 +151,14 @@ void Parser::look_back(Bytes input, std::size_t at, Ending ending) {
     const auto frame = parse_frame(input.subspan(at - behind_));
     if (!frame && frame.error() == FrameError::incomplete && ending == Ending::open) return;
     if (!frame || frame->whole.size() <= behind_) continue;
-    const auto* message = index_.find(*frame);
+    const auto* message = find_message(*dialect_, *frame);
     if (message != nullptr && judge_known(*frame, *message).claim == Claim::confirmed) return;
   }
 }
 
 /// The message of a frame if it is known and the checksum is right, otherwise nothing.
 const MessageInfo* Parser::find_proven(const FrameView& frame) const {
-  const auto* message = index_.find(frame);
+  const auto* message = find_message(*dialect_, frame);
   return message != nullptr && checksum_matches(frame, message->crc_extra) ? message : nullptr;
 }
 
@@ -171,6 +182,7 @@ Parser::Verdict Parser::judge_known(const FrameView& frame, const MessageInfo& m
 bool Parser::holds_frame(Bytes place) const {
   for (std::size_t at = 0; at < place.size(); ++at) {
     at += find_start(place.subspan(at));
+    if (at == place.size()) break;
     const auto frame = parse_frame(place.subspan(at));
     if (frame && find_proven(*frame) != nullptr) return true;
   }
@@ -208,7 +220,7 @@ Parser::Claim Parser::follow(Bytes window, std::size_t& end, Ending ending) cons
       const bool may_become_one = next.error() == FrameError::incomplete && ending == Ending::open && !is_full;
       return may_become_one ? Claim::needs_bytes : Claim::refuted;
     }
-    if (const auto* message = index_.find(*next); message != nullptr)
+    if (const auto* message = find_message(*dialect_, *next); message != nullptr)
       return checksum_matches(*next, message->crc_extra) ? Claim::confirmed : Claim::refuted;
     end += next->whole.size();
   }

@@ -3,9 +3,9 @@
 #include "ponte/core/bytes.hpp"
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
-#include "ponte/mavlink/message_index.hpp"
 #include "ponte/mavlink/message_info.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -73,12 +73,22 @@ class Parser {
   static constexpr std::size_t lookahead = 2 * max_frame_size;
 
   /// The dialect must outlive the parser.
-  explicit Parser(const Dialect& dialect) : index_{dialect} {}
+  explicit Parser(const Dialect& dialect) : dialect_{&dialect} {}
 
   /// The next piece of a stream. Notices by itself that silence came before it.
-  void on_bytes(Timestamp now, Bytes bytes, FrameSink& sink);
+  void on_bytes(Timestamp now, Bytes bytes, FrameSink& sink) {
+    on_tick(now, sink);
+    if (bytes.empty()) return;
+    if (bytes.size() <= patience_)
+      take(now, bytes);
+    else
+      decide(now, bytes, sink);
+  }
   /// Silence, once `next_deadline` has come: gives up a frame that stayed unfinished, and finds those hidden behind it.
-  void on_tick(Timestamp now, FrameSink& sink);
+  void on_tick(Timestamp now, FrameSink& sink) {
+    if (deadline_ && *deadline_ <= now) [[unlikely]]
+      give_up(sink);
+  }
   /// How many more bytes of a stream have to come, at least, before anything can be delivered. One more may be enough
   /// for a decision that delivers nothing.
   [[nodiscard]] std::size_t bytes_needed() const;
@@ -101,6 +111,19 @@ class Parser {
     SkipReason objection{};  ///< if it is refuted
   };
 
+  /// Keeps bytes that tell nothing, which is most of them when they come one by one.
+  void take(Timestamp now, Bytes bytes) {
+    if (bytes.size() == 1)
+      held_[held_size_] = bytes[0];
+    else
+      std::copy(bytes.begin(), bytes.end(), held_.begin() + held_size_);
+    held_size_ += static_cast<std::uint16_t>(bytes.size());
+    patience_ -= static_cast<std::uint16_t>(bytes.size());
+    deadline_ = now + silence_limit;
+  }
+
+  void decide(Timestamp now, Bytes bytes, FrameSink& sink);
+  void give_up(FrameSink& sink);
   std::size_t consume(Bytes input, std::size_t stop, Ending ending, FrameSink& sink);
   Bytes consume_held(Bytes bytes, FrameSink& sink);
   void keep(Bytes tail);
@@ -115,13 +138,14 @@ class Parser {
   Claim follow(Bytes window, std::size_t& end, Ending ending) const;
   Claim look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending) const;
 
-  MessageIndex index_;
+  const Dialect* dialect_;
   ParserCounters counters_;
   // Counted like counters_.bytes: no good frame of a known message begins between the present position and this one.
   // It spares the bytes inside one unknown frame after the other from being examined again and again.
   std::uint64_t searched_until_{};
   std::optional<Timestamp> deadline_;
   bool is_unfinished_{};
+  std::uint16_t patience_{};  // so many more bytes of the unfinished frame tell nothing
   // The bytes before the present position that belong to a frame whose successor is not known yet. They are still at
   // hand, since another frame may turn out to begin among them.
   std::uint16_t behind_{};

@@ -53,7 +53,7 @@ std::optional<TlogRecord> TlogReader::record_shape_at(std::size_t offset) const 
       .offset = offset,
       .time = wall_time_from_unix_us(static_cast<std::int64_t>(u64_be(file_, offset))),
       .frame = *frame,
-      .message = index_.find(*frame),
+      .message = find_message(*dialect_, *frame),
   };
 }
 

@@ -3,7 +3,6 @@
 #include "ponte/core/bytes.hpp"
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
-#include "ponte/mavlink/message_index.hpp"
 #include "ponte/mavlink/message_info.hpp"
 
 #include <cstddef>
@@ -49,7 +48,7 @@ struct TlogDamage {
 class TlogReader {
  public:
   /// Both must outlive the reader; the views in the records point into `file`.
-  TlogReader(Bytes file, const Dialect& dialect) : file_{file}, index_{dialect} {}
+  TlogReader(Bytes file, const Dialect& dialect) : file_{file}, dialect_{&dialect} {}
 
   /// The next part of the file; nothing at its end.
   [[nodiscard]] std::optional<std::variant<TlogRecord, TlogDamage>> next();
@@ -64,7 +63,7 @@ class TlogReader {
   TlogDamage damage(std::size_t end, TlogDamageReason reason);
 
   Bytes file_;
-  MessageIndex index_;
+  const Dialect* dialect_;
   std::size_t at_{};
   std::optional<WallTime> last_time_;
 };

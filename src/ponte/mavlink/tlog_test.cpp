@@ -1,9 +1,9 @@
 #include "ponte/mavlink/tlog.hpp"
 
 #include "ponte/core/hex.hpp"
+#include "ponte/core/random.hpp"
 #include "ponte/mavlink/test_messages.hpp"
 #include "support/bytes.hpp"
-#include "ponte/core/random.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

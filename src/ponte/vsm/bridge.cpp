@@ -3,23 +3,29 @@
 #include "ponte/autopilot/dialect.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace ponte::vsm {
 
 using autopilot::FleetFact;
 using autopilot::LinkId;
 
-Bridge::Link::Link(LinkId number) : id{number}, parser{autopilot::dialect} {}
+Bridge::Link::Link(LinkId number, mavlink::LinkPolicy policy)
+    : id{number}, parser{autopilot::dialect}, guard{std::move(policy)} {}
 
-Bridge::Bridge(BridgeConfig config, BridgeListener* listener)
-    : fleet_{config.fleet}, telemetry_{std::move(config.telemetry), config.rates}, listener_{listener} {
+Bridge::Bridge(BridgeConfig config, BridgeListener* listener, mavlink::Signer* signer)
+    : link_policy_{std::move(config.link_policy)},
+      fleet_{config.fleet},
+      telemetry_{std::move(config.telemetry), config.rates},
+      listener_{listener},
+      signer_{signer} {
   links_.reserve(autopilot::FleetSession::link_limit);
 }
 
 void Bridge::on_link_up(Timestamp now, LinkId link) {
   std::erase_if(links_, [&](const auto& entry) { return entry->id == link; });
   if (links_.size() == autopilot::FleetSession::link_limit) return;
-  links_.push_back(std::make_unique<Link>(link));
+  links_.push_back(std::make_unique<Link>(link, link_policy_));
   fleet_.on_link_up(now, link);
 }
 
@@ -48,6 +54,11 @@ void Bridge::on_datagram(Timestamp now, WallTime wall, LinkId link, Bytes datagr
 }
 
 void Bridge::on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) {
+  if (const auto refusal = current_->guard.examine(wall_, frame, signer_)) {
+    const auto count = current_->guard.refused()[static_cast<std::size_t>(*refusal)];
+    if (listener_ != nullptr) listener_->on_refused(current_->id, *refusal, count);
+    return;
+  }
   current_->losses.on_frame(frame.system, frame.component, frame.sequence);
   tick_telemetry(now_, wall_);  // what was due before does not come of this frame
   if (listener_ != nullptr) listener_->on_decoded(frame, message);

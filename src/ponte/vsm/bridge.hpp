@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ponte/autopilot/fleet_session.hpp"
+#include "ponte/mavlink/link_guard.hpp"
 #include "ponte/mavlink/link_statistics.hpp"
 #include "ponte/mavlink/parser.hpp"
 #include "ponte/vsm/telemetry.hpp"
@@ -15,6 +16,7 @@ struct BridgeConfig {
   TelemetryConfig telemetry{};
   TelemetryRates rates{live_rates()};
   autopilot::FleetConfig fleet{};
+  mavlink::LinkPolicy link_policy{};  ///< of every link, once there is a signer
 };
 
 /// Is told of each frame on its way over the bridge: for who sends at once, and for who measures. Must not feed the
@@ -29,6 +31,8 @@ class BridgeListener {
   virtual void on_translated(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) = 0;
   /// Bytes on a link that are part of no frame. One run may come in several calls.
   virtual void on_skipped(autopilot::LinkId /*link*/, Bytes /*run*/, mavlink::SkipReason /*reason*/) {}
+  /// A frame that the policy of its link does not permit: nothing more happens with it. `count` so far, itself included.
+  virtual void on_refused(autopilot::LinkId /*link*/, mavlink::Refusal /*refusal*/, std::uint64_t /*count*/) {}
 };
 
 /// The telemetry side of a VSM from bytes to bytes: MAVLink links with any vehicles on them in, DLI messages, requests
@@ -36,8 +40,9 @@ class BridgeListener {
 /// no clock and no socket.
 class Bridge final : private mavlink::FrameSink {
  public:
-  /// The listener, if any, outlives the bridge.
-  explicit Bridge(BridgeConfig config, BridgeListener* listener = nullptr);
+  /// The listener and the signer, if any, outlive the bridge. The signer verifies what comes in; what goes out is signed
+  /// by who sends it.
+  explicit Bridge(BridgeConfig config, BridgeListener* listener = nullptr, mavlink::Signer* signer = nullptr);
 
   /// A link begins; frames come from it, and requests may be sent on it, until it ends.
   void on_link_up(Timestamp now, autopilot::LinkId link);
@@ -57,10 +62,11 @@ class Bridge final : private mavlink::FrameSink {
   Outbox<autopilot::FleetFact> facts{64};
 
   struct Link {
-    explicit Link(autopilot::LinkId number);
+    Link(autopilot::LinkId number, mavlink::LinkPolicy policy);
 
     autopilot::LinkId id;
     mavlink::Parser parser;
+    mavlink::LinkGuard guard;
     mavlink::LinkStatistics losses;
   };
   /// What each link delivered, and what was no frame, for the links that are up.
@@ -76,9 +82,11 @@ class Bridge final : private mavlink::FrameSink {
   void tell_facts(WallTime wall);
   void tick_telemetry(Timestamp now, WallTime wall);
 
+  mavlink::LinkPolicy link_policy_;
   autopilot::FleetSession fleet_;
   Telemetry telemetry_;
   BridgeListener* listener_;
+  mavlink::Signer* signer_;
   bool converts_{true};
   Outbox<autopilot::FleetFact> new_facts_{16};
   std::vector<std::unique_ptr<Link>> links_;

@@ -135,6 +135,39 @@ TEST(Bridge, GoesOnWhenALinkComesBack) {
   EXPECT_THAT(bench.bridge.links(), SizeIs(2));
 }
 
+TEST(Bridge, DoesNotListenToWhatItsPolicyRefuses) {
+  struct Refused final : BridgeListener {
+    void on_decoded(const mavlink::FrameView&, const mavlink::MessageInfo*) override {}
+    void on_translated(const mavlink::FrameView&, const mavlink::MessageInfo*) override {}
+    void on_refused(LinkId link, mavlink::Refusal refusal, std::uint64_t count) override {
+      EXPECT_EQ(link, radio);
+      EXPECT_EQ(refusal, mavlink::Refusal::unsigned_frame);
+      EXPECT_EQ(count, ++refusals);
+    }
+    std::uint64_t refusals{};
+  } listener;
+  const mavlink::SigningKey key{std::array<std::byte, mavlink::SigningKey::size>{}};
+  mavlink::Signer ours{key, {}};
+  mavlink::Signer peers{key, {}};
+  Bridge bridge{{.link_policy = {.unsigned_frames = mavlink::UnsignedPolicy::listed}}, &listener, &ours};
+  bridge.on_link_up({}, radio);
+
+  const TestFrame heartbeat{copter};
+  const auto whole = heartbeat.view().whole;
+  bridge.on_datagram({}, wall, radio, whole);
+  bridge.on_datagram({}, wall, radio, whole);
+  EXPECT_EQ(listener.refusals, 2U);
+  EXPECT_THAT(bridge.fleet().vehicles(), IsEmpty());
+  EXPECT_THAT(bridge.links().front()->losses.senders(), IsEmpty());
+
+  std::array<std::byte, mavlink::max_frame_size> signed_frame{};
+  std::ranges::copy(whole, signed_frame.begin());
+  const auto size = peers.sign(wall, 1, signed_frame, whole.size());
+  bridge.on_datagram({}, wall, radio, Bytes{signed_frame}.first(size));
+  EXPECT_THAT(bridge.fleet().vehicles(), SizeIs(1));
+  EXPECT_EQ(listener.refusals, 2U);
+}
+
 // Ended links were kept, and after 256 of them the bridge was deaf to every new one.
 TEST(Bridge, StillHearsAVehicleAfterAThousandReconnections) {
   Bench bench;

@@ -26,6 +26,7 @@ it('drops what binary fractions add and keeps every digit of a time', () => {
 it('shows arrays, texts and what JSON numbers cannot hold', () => {
   expect(valueText([3900, 'NaN'])).toBe('[3900, NaN]');
   expect(valueText('18446744073709551615')).toBe('18446744073709551615');
+  expect(valueText(1795348847933355)).toBe('1795348847933355');
 });
 
 it('shows sizes', () => {

@@ -19,10 +19,9 @@ export function plain(value: number): string {
   return String(Number(value.toPrecision(12)));
 }
 
-/** What a MAVLink field says. */
+/** What a MAVLink field says, to the last digit. */
 export function valueText(value: MavlinkValue): string {
-  if (Array.isArray(value)) return `[${value.map(valueText).join(', ')}]`;
-  return typeof value === 'number' ? plain(value) : value;
+  return Array.isArray(value) ? `[${value.map(valueText).join(', ')}]` : String(value);
 }
 
 /** What a DLI field means beyond its raw value: a label, or a value in the unit system; empty where there is nothing. */

@@ -2,7 +2,7 @@
 export const en = {
   'app.tagline': 'MAVLink vehicles, understood by STANAG 4586 ground stations',
   'app.explain':
-    'A vehicle speaks MAVLink. A NATO ground station speaks STANAG 4586. Ponte translates every message between them, and shows here each byte of it and how long it took.',
+    'A vehicle speaks MAVLink, a NATO ground station STANAG 4586. Ponte translates between them while you watch: below is one moment in both languages, with every byte, the rule that joins them, and how long it took.',
   'nav.label': 'Views',
   'nav.bridge': 'Bridge',
   'nav.inspector': 'Inspector',
@@ -172,7 +172,7 @@ export const en = {
   'inspector.filter': 'Filter',
   'inspector.filter.hint': 'name, number, field, link/system/component',
   'inspector.message': 'Message',
-  'inspector.from': 'Link/system/component',
+  'inspector.from': 'Link / system / component',
   'inspector.source': 'Source',
   'inspector.count': 'Count',
   'inspector.rate': 'Rate (Hz)',

@@ -4,7 +4,7 @@ import type { TextKey } from './en';
 export const pt: Record<TextKey, string> = {
   'app.tagline': 'Veículos MAVLink, compreendidos por estações de terra STANAG 4586',
   'app.explain':
-    'O veículo fala MAVLink. A estação de terra da NATO fala STANAG 4586. A Ponte traduz cada mensagem entre os dois e mostra aqui cada byte dela e quanto tempo demorou.',
+    'Um veículo fala MAVLink, uma estação de terra da NATO fala STANAG 4586. A Ponte traduz entre os dois à sua vista: em baixo está o mesmo momento nas duas línguas, com cada byte, a regra que os une e o tempo que demorou.',
   'nav.label': 'Vistas',
   'nav.bridge': 'Ponte',
   'nav.inspector': 'Inspetor',
@@ -174,7 +174,7 @@ export const pt: Record<TextKey, string> = {
   'inspector.filter': 'Filtro',
   'inspector.filter.hint': 'nome, número, campo, ligação/sistema/componente',
   'inspector.message': 'Mensagem',
-  'inspector.from': 'Ligação/sistema/componente',
+  'inspector.from': 'Ligação / sistema / componente',
   'inspector.source': 'Origem',
   'inspector.count': 'Contagem',
   'inspector.rate': 'Ritmo (Hz)',

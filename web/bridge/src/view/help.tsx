@@ -14,7 +14,6 @@ export function Help() {
   return (
     <dialog ref={dialog} class="help" aria-labelledby="help-title" onClose={() => (helpIsOpen.value = false)}>
       <h2 id="help-title">{t('help.title')}</h2>
-      <p>{t('app.explain')}</p>
       <dl>
         {actions.map(({ key, text }) => (
           <div key={key}>

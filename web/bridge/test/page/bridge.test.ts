@@ -1,6 +1,5 @@
 import { expect, it } from 'vitest';
 import { pageTest } from './page_test';
-import { usesPonte } from './server';
 
 const test = pageTest();
 
@@ -73,11 +72,4 @@ it('opens and closes the bridge with the switch', async () => {
   await convert.click();
   await page.locator('.bridge-drawing:not(.is-open)').waitFor({ state: 'attached' });
   await page.getByText('Conversion is off.').waitFor({ state: 'detached' });
-});
-
-it.skipIf(usesPonte)('changes between vehicles', async () => {
-  const page = await test.open();
-  await page.getByRole('button', { name: /14:40:00:02/ }).click();
-  await page.locator('.dli-side p', { hasText: '14:40:00:02 →' }).waitFor();
-  await page.locator('.mavlink-side p', { hasText: '2/1' }).waitFor();
 });

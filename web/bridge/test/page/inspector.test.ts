@@ -1,6 +1,5 @@
 import { expect, it } from 'vitest';
 import { pageTest } from './page_test';
-import { usesPonte } from './server';
 
 const test = pageTest();
 
@@ -41,11 +40,4 @@ it('plots an element of an array', async () => {
     .toBeGreaterThan(1000);
   await figure.getByRole('button', { name: /^Remove/ }).click();
   await figure.waitFor({ state: 'detached' });
-});
-
-it.skipIf(usesPonte)('shows losses and why something was rejected', async () => {
-  const page = await test.open();
-  await page.getByRole('button', { name: 'Inspector' }).click();
-  await page.getByRole('row', { name: /bad checksum/ }).waitFor();
-  expect(await page.getByRole('row', { name: '1/1/1', exact: false }).last().textContent()).toContain('▲ 2');
 });

@@ -1,7 +1,16 @@
+import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { pageTest } from './page_test';
 
 const test = pageTest();
+
+async function tabTo(page: Page, wanted: Locator): Promise<void> {
+  const isReached = () => wanted.evaluate((element) => element === document.activeElement);
+  for (let stops = 0; !(await isReached()); ++stops) {
+    expect(stops, 'controls before it').toBeLessThan(50);
+    await page.keyboard.press('Tab');
+  }
+}
 
 it('does everything by single keys', async () => {
   const page = await test.open();
@@ -72,4 +81,25 @@ it('moves through fields with Tab and arrows, and marks what has the focus', asy
   await page.keyboard.press('ArrowDown');
   expect(await focused()).toContain('pitch');
   await page.locator('.rule-side', { hasText: 'ATTITUDE pitch' }).waitFor();
+});
+
+it('connects and runs the study without a mouse, in Portuguese, in high contrast, on a phone', async () => {
+  const page = await test.open({ viewport: { width: 360, height: 740 } });
+  await page.locator('.dli-side .hex-bytes').waitFor();
+  await page.keyboard.press('l');
+  for (const _ of ['light', 'dark', 'contrast']) await page.keyboard.press('t');
+  expect(await page.getByLabel('Cores').inputValue()).toBe('contrast');
+  await page.keyboard.press('4');
+  await tabTo(page, page.getByLabel('Endereço'));
+  await page.keyboard.type('pombo-correio');
+  await page.keyboard.press('Enter');
+  expect(await page.getByRole('alert').textContent()).toContain('pombo-correio');
+  await tabTo(page, page.getByRole('button', { name: 'Ligar', exact: true }));
+  await page.keyboard.press('3');
+  await tabTo(page, page.getByLabel('Amostras'));
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type('5');
+  await page.keyboard.press('Enter');
+  await page.getByText('✓ Dentro do limite (500 ms)').waitFor();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
 });

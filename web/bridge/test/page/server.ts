@@ -1,4 +1,4 @@
-import { spawn, type ChildProcess } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { createServer } from 'node:net';
 import { setTimeout as pause } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
@@ -7,12 +7,13 @@ import { startServer } from '../mock/server.mjs';
 const web = fileURLToPath(new URL('../../../../build/web/bridge', import.meta.url));
 
 /** The program under test; without one the mock server stands in for it. */
-const program = process.env.PONTE_BIN;
-export const usesPonte = program !== undefined;
+export const program = process.env.PONTE_BIN;
+const longEnough_s = '3600';
 
 export interface Options {
   tokens?: Record<string, 'watch' | 'command'>; // token: role
-  wrongRoll?: boolean; // the mock server only
+  invented?: { wrongRoll: boolean }; // the mock server, which says the same at every run, in any case
+  dli?: string; // an endpoint that shall hear the program too
 }
 
 /** Something that serves the page, which a test can stop and start again at the same address. */
@@ -36,27 +37,27 @@ export class PageServer {
 
   async restart(): Promise<void> {
     await this.close();
-    this.stop = program === undefined ? await this.startMock() : await this.startPonte(program);
+    const { invented, tokens } = this.options;
+    this.stop =
+      program === undefined || invented
+        ? (await startServer({ port: this.port, web, tokens, ...invented })).close
+        : await this.startDemo(program);
   }
 
   close(): Promise<void> {
     return this.stop();
   }
 
-  private async startMock(): Promise<() => Promise<void>> {
-    return (await startServer({ port: this.port, web, ...this.options })).close;
-  }
-
-  private async startPonte(path: string): Promise<() => Promise<void>> {
-    const vehicles = `127.0.0.1:${await freePort()}`;
+  private async startDemo(path: string): Promise<() => Promise<void>> {
+    const { dli } = this.options;
     const http = ['--http', `127.0.0.1:${this.port}`, '--web-root', web];
-    const vsm = spawn(path, ['vsm', '--vehicle', `udpin://${vehicles}`, '--dli', 'udpout://127.0.0.1:9', ...http], {
-      stdio: 'inherit',
-      env: { ...process.env, ...this.tokenVariables() },
-    });
-    const sim = spawn(path, ['sim', '--endpoint', `udpout://${vehicles}`, '--arm-after', '1'], { stdio: 'inherit' });
-    await untilHealthy(`${this.url}healthz`, vsm);
-    return async () => void (await Promise.all([ended(sim), ended(vsm)]));
+    const demo = run(
+      path,
+      ['demo', '--headless', '--seconds', longEnough_s, ...http, ...(dli === undefined ? [] : ['--dli', dli])],
+      this.tokenVariables(),
+    );
+    await demo.answers(`${this.url}healthz`);
+    return demo.end;
   }
 
   private tokenVariables(): Record<string, string> {
@@ -65,21 +66,30 @@ export class PageServer {
   }
 }
 
-function ended(child: ChildProcess): Promise<void> {
-  return new Promise((done) => {
-    if (child.exitCode !== null) return done();
-    child.once('exit', () => done());
-    child.kill('SIGTERM');
+/** Starts the program; what sanitizers find in it fails the test that ends it. */
+export function run(path: string, options: string[], variables: Record<string, string> = {}) {
+  const child = spawn(path, [...options, '--quiet'], {
+    stdio: ['ignore', 'ignore', 'pipe'],
+    env: { ...process.env, ...variables },
   });
-}
-
-async function untilHealthy(address: string, child: ChildProcess): Promise<void> {
-  for (;;) {
-    if (child.exitCode !== null) throw new Error(`the program ended with status ${child.exitCode}`);
-    const answer = await fetch(address).catch(() => undefined);
-    if (answer?.ok) return;
-    await pause(100);
-  }
+  let said = '';
+  child.stderr.setEncoding('utf8').on('data', (text: string) => void (said += text));
+  const gone = new Promise<void>((done) => child.once('close', () => done()));
+  return {
+    async answers(address: string): Promise<void> {
+      for (;;) {
+        if (child.exitCode !== null) throw new Error(`the program ended with status ${child.exitCode}: ${said}`);
+        const answer = await fetch(address).catch(() => undefined);
+        if (answer?.ok) return;
+        await pause(100);
+      }
+    },
+    async end(): Promise<void> {
+      child.kill('SIGTERM');
+      await gone;
+      if (/Sanitizer|runtime error/.test(said)) throw new Error(said);
+    },
+  };
 }
 
 function freePort(): Promise<number> {

@@ -1,3 +1,4 @@
+import { request } from 'node:http';
 import { expect, it } from 'vitest';
 import { pageTest } from './page_test';
 
@@ -44,4 +45,29 @@ it('refuses what comes from elsewhere', async () => {
   });
   expect(answer.status).toBe(403);
   expect(await answer.json()).toMatchObject({ code: 'foreign_origin' });
+});
+
+it('opens no stream for a page from elsewhere, whatever its cookie', async () => {
+  const page = await test.open({ path: `#token=${watchToken}` });
+  await page.getByText('● Live').waitFor();
+  const Cookie = (await page.context().cookies()).map(({ name, value }) => `${name}=${value}`).join('; ');
+  const opening = {
+    Cookie,
+    Connection: 'Upgrade',
+    Upgrade: 'websocket',
+    'Sec-WebSocket-Version': 13,
+    'Sec-WebSocket-Key': Buffer.alloc(16).toString('base64'),
+  };
+  const statusFor = (Origin: string) =>
+    new Promise((done, fail) => {
+      const asked = request(`${test.server.url}api/v1/stream`, { headers: { ...opening, Origin } });
+      asked.on('upgrade', ({ statusCode }, socket) => {
+        socket.destroy();
+        done(statusCode);
+      });
+      asked.on('response', ({ statusCode }) => done(statusCode));
+      asked.on('error', fail).end();
+    });
+  expect(await statusFor(new URL(test.server.url).origin)).toBe(101);
+  expect(await statusFor('http://elsewhere.example')).toBe(403);
 });

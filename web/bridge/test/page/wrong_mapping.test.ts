@@ -1,10 +1,9 @@
 import { expect, it } from 'vitest';
 import { pageTest } from './page_test';
-import { usesPonte } from './server';
 
-const test = pageTest({ wrongRoll: true });
+const test = pageTest({ invented: { wrongRoll: true } });
 
-it.skipIf(usesPonte)('sees a wrong mapping, and only that', async () => {
+it('sees a wrong mapping, and only that', async () => {
   const page = await test.open();
   await page.locator('[data-instrument=roll]', { hasText: '≠ differ' }).waitFor();
   for (const instrument of ['pitch', 'heading', 'altitude'])

@@ -4,7 +4,7 @@ import { hexOf, type Range } from '../../model/bytes';
 import { fixed, meaningText } from '../../model/format';
 import { settings } from '../../state/settings';
 import { t } from '../../text';
-import { FieldButton } from './field_button';
+import { FieldRow } from './field_table';
 
 /** One field: of this message, held from an earlier one, or absent. */
 export function DliFieldRow(props: {
@@ -19,23 +19,18 @@ export function DliFieldRow(props: {
   const present = message.fields[field.key];
   const value = present ?? message.held[field.key];
   return (
-    <tr class={`${props.isMarked ? 'marked' : ''} ${present ? '' : 'absent'}`}>
-      <th scope="row">
-        <FieldButton
-          target={{ side: 'dli', number: message.number, field: field.key }}
-          isFirst={props.isFirst}
-          isMarked={props.isMarked}
-        >
-          {field.name}
-        </FieldButton>
-        <span class="muted aside">
-          {t('pane.presence.bit')} {field.number - 1}
-        </span>
-      </th>
-      <td class="code">{range ? hexOf(props.bytes, range) : <i>{t(value ? 'pane.unchanged' : 'pane.absent')}</i>}</td>
-      <td class="number">{value && <Raw field={field} value={value} />}</td>
-      <td class="number">{value && meaningText(value, settings.units.value)}</td>
-    </tr>
+    <FieldRow
+      target={{ side: 'dli', number: message.number, field: field.key }}
+      name={field.name}
+      aside={`${t('pane.presence.bit')} ${field.number - 1}`}
+      isFirst={props.isFirst}
+      isMarked={props.isMarked}
+      isAbsent={present === undefined}
+      hex={range && hexOf(props.bytes, range)}
+      missing={t(value ? 'pane.unchanged' : 'pane.absent')}
+      raw={value && <Raw field={field} value={value} />}
+      value={value && meaningText(value, settings.units.value)}
+    />
   );
 }
 

@@ -7,8 +7,8 @@ import { catalogue } from '../../state/store';
 import { t } from '../../text';
 import { HeaderTable } from '../shared/header_table';
 import { HexBytes } from '../shared/hex_bytes';
-import { moveWithArrows } from '../shared/roving';
 import { DliFieldRow } from './dli_field_row';
+import { FieldTable } from './field_table';
 import { PresenceVector } from './presence_vector';
 
 /** A DLI message with all that is in it. */
@@ -38,30 +38,19 @@ export function DliPane({ message }: { message: DliMessage }) {
         marks={marks}
       />
       <PresenceVector bytes={bytes} layout={layout} isMarked={isMarked} />
-      <table class="fields" onKeyDown={moveWithArrows}>
-        <caption>{t('pane.fields')}</caption>
-        <thead>
-          <tr>
-            <th scope="col">{t('pane.field')}</th>
-            <th scope="col">{t('pane.hex')}</th>
-            <th scope="col">{t('pane.raw')}</th>
-            <th scope="col">{t('pane.value')}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {fields.map((field, index) => (
-            <DliFieldRow
-              key={field.key}
-              message={message}
-              field={field}
-              isFirst={index === 0}
-              isMarked={isMarked(field)}
-              bytes={bytes}
-              range={layout.fields.get(field.key)}
-            />
-          ))}
-        </tbody>
-      </table>
+      <FieldTable>
+        {fields.map((field, index) => (
+          <DliFieldRow
+            key={field.key}
+            message={message}
+            field={field}
+            isFirst={index === 0}
+            isMarked={isMarked(field)}
+            bytes={bytes}
+            range={layout.fields.get(field.key)}
+          />
+        ))}
+      </FieldTable>
       <HeaderTable title={t('pane.wrapper')} bytes={bytes} fields={layout.wrapper} />
     </>
   );

@@ -13,6 +13,7 @@ export function Hero() {
   return (
     <section class="hero" aria-label={t('app.tagline')}>
       <p class="tagline">{t('app.tagline')}</p>
+      <p class="explanation muted">{t('app.explain')}</p>
       <Bank side="mavlink" totals={now?.mavlink} />
       <BridgeDrawing isOpen={now !== undefined && !now.conversion} />
       <Bank side="dli" totals={now?.dli} />

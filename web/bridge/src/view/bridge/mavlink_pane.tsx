@@ -9,8 +9,7 @@ import { catalogue } from '../../state/store';
 import { t } from '../../text';
 import { HeaderTable } from '../shared/header_table';
 import { HexBytes } from '../shared/hex_bytes';
-import { moveWithArrows } from '../shared/roving';
-import { FieldButton } from './field_button';
+import { FieldRow, FieldTable } from './field_table';
 
 /** A MAVLink frame with all that is in it. */
 export function MavlinkPane({ message }: { message: MavlinkMessage }) {
@@ -34,30 +33,19 @@ export function MavlinkPane({ message }: { message: MavlinkMessage }) {
         marks={marks}
       />
       {message.fields ? (
-        <table class="fields" onKeyDown={moveWithArrows}>
-          <caption>{t('pane.fields')}</caption>
-          <thead>
-            <tr>
-              <th scope="col">{t('pane.field')}</th>
-              <th scope="col">{t('pane.hex')}</th>
-              <th scope="col">{t('pane.raw')}</th>
-              <th scope="col">{t('pane.value')}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {fields.map((field, index) => (
-              <FieldRow
-                key={field.name}
-                message={message}
-                field={field}
-                isFirst={index === 0}
-                isMarked={isMarked(field)}
-                bytes={bytes}
-                range={mavlinkFieldRange(field, payload)}
-              />
-            ))}
-          </tbody>
-        </table>
+        <FieldTable>
+          {fields.map((field, index) => (
+            <MavlinkFieldRow
+              key={field.name}
+              message={message}
+              field={field}
+              isFirst={index === 0}
+              isMarked={isMarked(field)}
+              bytes={bytes}
+              range={mavlinkFieldRange(field, payload)}
+            />
+          ))}
+        </FieldTable>
       ) : (
         <p>{t('pane.unknown')}</p>
       )}
@@ -66,7 +54,7 @@ export function MavlinkPane({ message }: { message: MavlinkMessage }) {
   );
 }
 
-function FieldRow(props: {
+function MavlinkFieldRow(props: {
   message: MavlinkMessage;
   field: MavlinkFieldInfo;
   isFirst: boolean;
@@ -78,20 +66,17 @@ function FieldRow(props: {
   const value = message.fields?.[field.name] ?? '';
   const converted = typeof value === 'number' ? shownFromWire(value, field.unit, settings.units.value) : undefined;
   return (
-    <tr class={props.isMarked ? 'marked' : undefined}>
-      <th scope="row">
-        <FieldButton
-          target={{ side: 'mavlink', message: message.name, field: field.name }}
-          isFirst={props.isFirst}
-          isMarked={props.isMarked}
-        >
-          {field.name}
-        </FieldButton>
-        {field.unit && <span class="muted aside">{field.unit}</span>}
-      </th>
-      <td class="code">{range.end > range.start ? hexOf(props.bytes, range) : <i>{t('pane.notSent')}</i>}</td>
-      <td class="number">{valueText(value)}</td>
-      <td class="number">{converted ? shownText(converted) : catalogue.value?.labelOf(field, value)}</td>
-    </tr>
+    <FieldRow
+      target={{ side: 'mavlink', message: message.name, field: field.name }}
+      name={field.name}
+      aside={field.unit}
+      isFirst={props.isFirst}
+      isMarked={props.isMarked}
+      isAbsent={false}
+      hex={range.end > range.start ? hexOf(props.bytes, range) : undefined}
+      missing={t('pane.notSent')}
+      raw={valueText(value)}
+      value={converted ? shownText(converted) : catalogue.value?.labelOf(field, value)}
+    />
   );
 }

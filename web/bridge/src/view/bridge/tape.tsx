@@ -17,7 +17,8 @@ export function Tape(props: {
   const middle = value ?? overlay ?? 0;
   const y = (mark: number) => Math.max(-58, Math.min(58, (middle - mark) * pixels));
   const first = Math.ceil((middle - (stepsVisible / 2) * step) / step) * step;
-  const marks = Array.from({ length: stepsVisible }, (_, index) => first + index * step);
+  const inside = (mark: number) => Math.abs(y(mark)) < 54; // with its text
+  const marks = Array.from({ length: stepsVisible }, (_, index) => first + index * step).filter(inside);
   return (
     <figure class="tape">
       <svg class="dial" viewBox="-36 -60 72 120" role="img" aria-label={props.label}>

@@ -1,20 +1,21 @@
 import type { Sender } from '../../contract';
 import { t } from '../../text';
+import { ColumnHeads } from '../shared/column_heads';
 
 /** What the sequence numbers of each sender tell. */
 export function Losses({ senders }: { senders: Sender[] }) {
   return (
     <div class="scroll">
       <table>
-        <thead>
-          <tr>
-            <th scope="col">{t('inspector.from')}</th>
-            <th scope="col">{t('inspector.received')}</th>
-            <th scope="col">{t('inspector.lost')}</th>
-            <th scope="col">{t('inspector.late')}</th>
-            <th scope="col">{t('inspector.duplicates')}</th>
-          </tr>
-        </thead>
+        <ColumnHeads
+          titles={[
+            t('inspector.from'),
+            t('inspector.received'),
+            t('inspector.lost'),
+            t('inspector.late'),
+            t('inspector.duplicates'),
+          ]}
+        />
         <tbody>
           {senders.map(({ link, system, component, received, lost, late, duplicates }) => (
             <tr key={`${link}.${system}.${component}`}>

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { timeText } from '../../model/format';
 import { t } from '../../text';
+import { ColumnHeads } from '../shared/column_heads';
 import { moveWithArrows } from '../shared/roving';
 
 /** One line of an inspector table, which can be opened. */
@@ -27,15 +28,9 @@ export function MessageTable({ fromTitle, lines }: { fromTitle: string; lines: L
   return (
     <div class="scroll">
       <table class="messages" onKeyDown={moveWithArrows}>
-        <thead>
-          <tr>
-            <th scope="col">{t('inspector.message')}</th>
-            <th scope="col">{fromTitle}</th>
-            <th scope="col">{t('inspector.count')}</th>
-            <th scope="col">{t('inspector.rate')}</th>
-            <th scope="col">{t('inspector.time')}</th>
-          </tr>
-        </thead>
+        <ColumnHeads
+          titles={[t('inspector.message'), fromTitle, t('inspector.count'), t('inspector.rate'), t('inspector.time')]}
+        />
         <tbody>
           {lines.map((line, index) => (
             <Row

@@ -1,5 +1,6 @@
 import type { Reject } from '../../contract';
 import { t } from '../../text';
+import { ColumnHeads } from '../shared/column_heads';
 import { SideName } from '../shared/side';
 
 /** What was received and is no good message, by reason. */
@@ -8,14 +9,9 @@ export function Rejects({ rejects }: { rejects: Reject[] }) {
   return (
     <div class="scroll">
       <table>
-        <thead>
-          <tr>
-            <th scope="col">{t('inspector.side')}</th>
-            <th scope="col">{t('inspector.reason')}</th>
-            <th scope="col">{t('inspector.count')}</th>
-            <th scope="col">{t('inspector.bytes')}</th>
-          </tr>
-        </thead>
+        <ColumnHeads
+          titles={[t('inspector.side'), t('inspector.reason'), t('inspector.count'), t('inspector.bytes')]}
+        />
         <tbody>
           {rejects.map(({ side, link, reason, count, bytes }) => (
             <tr key={`${side}.${link}.${reason}`}>

@@ -1,5 +1,6 @@
 import { hexOf, type HeaderField } from '../../model/bytes';
 import { t } from '../../text';
+import { ColumnHeads } from './column_heads';
 
 /** The pieces of a header with their bytes in hexadecimal and their value in decimal. */
 export function HeaderTable(props: { title: string; bytes: Uint8Array; fields: HeaderField[] }) {
@@ -7,13 +8,7 @@ export function HeaderTable(props: { title: string; bytes: Uint8Array; fields: H
     <details open>
       <summary>{props.title}</summary>
       <table class="header-table">
-        <thead>
-          <tr>
-            <th scope="col">{t('pane.field')}</th>
-            <th scope="col">{t('pane.hex')}</th>
-            <th scope="col">{t('pane.decimal')}</th>
-          </tr>
-        </thead>
+        <ColumnHeads titles={[t('pane.field'), t('pane.hex'), t('pane.decimal')]} />
         <tbody>
           {props.fields.map(({ name, range, value }) => (
             <tr key={name}>

@@ -2,6 +2,7 @@ import { studySeries, type StudyResult } from '../../contract';
 import { durationText } from '../../model/format';
 import { t } from '../../text';
 import { Chart } from '../shared/chart';
+import { ColumnHeads } from '../shared/column_heads';
 
 const microseconds = (value: number) => (value < 0 ? `−${durationText(-value * 1000)}` : durationText(value * 1000));
 
@@ -26,16 +27,7 @@ export function StudyView({ result: { pass, limit_ms, samples, summary } }: { re
       </p>
       <div class="halves">
         <table>
-          <thead>
-            <tr>
-              <td />
-              {studySeries.map((series) => (
-                <th key={series} scope="col">
-                  {t(`study.${series}`)}
-                </th>
-              ))}
-            </tr>
-          </thead>
+          <ColumnHeads titles={['', ...studySeries.map((series) => t(`study.${series}`))]} />
           <tbody>
             {rows.map(([key, member]) => (
               <tr key={key}>

@@ -2,6 +2,7 @@ import { stageNames, type Timing } from '../../contract';
 import { durationText } from '../../model/format';
 import { delays, reading, timing } from '../../state/store';
 import { t } from '../../text';
+import { ColumnHeads } from '../shared/column_heads';
 import { Panel } from '../shared/panel';
 import { PauseButton } from '../shared/pause_button';
 import { Histogram } from './histogram';
@@ -38,17 +39,7 @@ function StageTable({ timing: now }: { timing: Timing }) {
   return (
     <div class="scroll">
       <table class="stages">
-        <thead>
-          <tr>
-            <td />
-            <th scope="col">{t('timing.newest')}</th>
-            <th scope="col">p50</th>
-            <th scope="col">p95</th>
-            <th scope="col">p99</th>
-            <th scope="col">{t('timing.max')}</th>
-            <th scope="col">{t('timing.count')}</th>
-          </tr>
-        </thead>
+        <ColumnHeads titles={['', t('timing.newest'), 'p50', 'p95', 'p99', t('timing.max'), t('timing.count')]} />
         <tbody>
           {stageNames.map((name) => {
             const { p50_ns, p95_ns, p99_ns, max_ns, count } = now[name];

@@ -1,0 +1,34 @@
+#include "ponte/mavlink/recent_frames.hpp"
+
+#include <cstring>
+
+namespace ponte::mavlink {
+namespace {
+
+constexpr std::uint64_t mixed(std::uint64_t word) {
+  word ^= word >> 32U;
+  word *= 0x9FB2'1C65'1E98'DF25;
+  return word ^ (word >> 28U);
+}
+
+std::uint64_t hash_of(Bytes bytes, std::uint64_t seed) {
+  auto hash = mixed(seed ^ bytes.size());
+  std::size_t at = 0;
+  for (; at + sizeof hash <= bytes.size(); at += sizeof hash) hash = mixed(hash ^ load_le<std::uint64_t>(&bytes[at]));
+  std::uint64_t rest = 0;
+  if (at < bytes.size()) std::memcpy(&rest, &bytes[at], bytes.size() - at);
+  hash = mixed(hash ^ rest) + seed;
+  return hash != 0 ? hash : 1;
+}
+
+}  // namespace
+
+bool RecentFrames::came_elsewhere(Timestamp now, std::uint16_t link, Bytes frame) {
+  const auto hash = hash_of(frame, seed_);
+  auto& entry = entries_[hash % entry_count];
+  if (entry.hash == hash && entry.link != link && now - entry.time <= window) return true;
+  entry = {hash, now, link};
+  return false;
+}
+
+}  // namespace ponte::mavlink
