@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ponte::planning {
 namespace {
 
 constexpr Node neighbours = 10;
 constexpr std::uint32_t run_max = 3;
+// The highest temperature in mean legs.
+constexpr double hottest_legs = 0.5;
+constexpr int halvings = 6;
+constexpr std::uint64_t first_tries_per_stop = 20;
 
 Neighbours nearest(const Problem& problem) {
   const Legs legs{problem};
@@ -17,10 +22,16 @@ Neighbours nearest(const Problem& problem) {
 }  // namespace
 
 PassSearch::PassSearch(PassProblem problem, Plan plan, std::uint64_t seed)
-    : problem_{std::move(problem)}, near_{nearest(problem_.problem)}, random_{seed}, plan_{std::move(plan)} {
-  for (std::size_t i = 0; i < plan_.routes.size(); ++i) shorten(i);
-  score_ = score(plan_, costs_);
-}
+    : problem_{std::move(problem)},
+      near_{nearest(problem_.problem)},
+      random_{seed},
+      plan_{shortened(std::move(plan))},
+      costs_{costs_of(plan_)},
+      score_{score(plan_, costs_)},
+      cooling_{hottest_legs * score_.total / static_cast<double>(problem_.problem.stops.size() + 1), halvings,
+               first_tries_per_stop * (problem_.problem.stops.size() + 1)},
+      best_{plan_},
+      best_score_{score_} {}
 
 bool PassSearch::holds(std::size_t index, const Route& route, double cost) const {
   return std::isfinite(cost) && cost <= vehicle(index).endurance && std::ranges::all_of(route, [&](std::size_t stop) {
@@ -28,8 +39,19 @@ bool PassSearch::holds(std::size_t index, const Route& route, double cost) const
          });
 }
 
-void PassSearch::shorten(std::size_t index) {
-  auto& route = plan_.routes[index];
+Plan PassSearch::shortened(Plan plan) const {
+  for (std::size_t i = 0; i < plan.routes.size(); ++i) shorten(i, plan.routes[i]);
+  return plan;
+}
+
+std::vector<double> PassSearch::costs_of(const Plan& plan) const {
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < plan.routes.size(); ++i)
+    costs.push_back(best_passes(problem_, vehicle(i), plan.routes[i]).cost);
+  return costs;
+}
+
+void PassSearch::shorten(std::size_t index, Route& route) const {
   auto cost = best_passes(problem_, vehicle(index), route).cost;
   while (!holds(index, route, cost)) {
     // Of stops with the least priority the one without which the route is cheapest.
@@ -45,7 +67,6 @@ void PassSearch::shorten(std::size_t index) {
     }
     route.erase(route.begin() + static_cast<std::ptrdiff_t>(lost));
   }
-  costs_.push_back(cost);
 }
 
 PassSearch::Spot PassSearch::spot_of(std::size_t stop) const {
@@ -138,25 +159,40 @@ void PassSearch::judge(std::vector<std::pair<std::size_t, Route>> changes) {
   };
   exchange_routes();
   const auto changed = score(plan_, costs);
-  if (changed > score_) {
+  const auto tolerance = cooling_.temperature() * random_.exponential();
+  cooling_.step();
+  if (changed.unvisited_priority > score_.unvisited_priority || smooth(changed) > smooth(score_) + tolerance) {
     exchange_routes();
     return;
   }
   score_ = changed;
   costs_ = std::move(costs);
+  if (!is_better(score_, best_score_)) return;
+  best_score_ = score_;
+  best_ = plan_;
 }
 
 PassSearch::Score PassSearch::score(const Plan& plan, const std::vector<double>& costs) const {
-  Ticks unvisited = 0;
-  for (const auto& stop : problem_.problem.stops) unvisited += ticks(stop.priority);
-  double total = 0;
-  double longest = 0;
+  Score result;
+  for (const auto& stop : problem_.problem.stops) result.unvisited_priority += ticks(stop.priority);
   for (std::size_t i = 0; i < plan.routes.size(); ++i) {
-    for (const auto stop : plan.routes[i]) unvisited -= ticks(problem_.problem.stops[stop].priority);
-    total += costs[i];
-    longest = std::max(longest, costs[i]);
+    for (const auto stop : plan.routes[i]) result.unvisited_priority -= ticks(problem_.problem.stops[stop].priority);
+    result.total += costs[i];
+    result.longest = std::max(result.longest, costs[i]);
   }
-  return {unvisited, problem_.problem.objective == Objective::longest ? longest : 0, total};
+  return result;
+}
+
+/// The objective, and where that is the longest route a little of the others.
+double PassSearch::smooth(const Score& score) const {
+  constexpr double share_of_others = 0.001;
+  return problem_.problem.objective == Objective::total ? score.total : score.longest + share_of_others * score.total;
+}
+
+bool PassSearch::is_better(const Score& a, const Score& b) const {
+  if (problem_.problem.objective == Objective::total)
+    return std::tie(a.unvisited_priority, a.total) < std::tie(b.unvisited_priority, b.total);
+  return std::tie(a.unvisited_priority, a.longest, a.total) < std::tie(b.unvisited_priority, b.longest, b.total);
 }
 
 }  // namespace ponte::planning

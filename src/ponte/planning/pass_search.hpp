@@ -1,12 +1,11 @@
 #pragma once
 
 #include "ponte/core/random.hpp"
+#include "ponte/planning/cooling.hpp"
 #include "ponte/planning/legs.hpp"
 #include "ponte/planning/neighbours.hpp"
 #include "ponte/planning/pass_problem.hpp"
 #include "ponte/planning/solver.hpp"
-
-#include <tuple>
 
 namespace ponte::planning {
 
@@ -19,11 +18,15 @@ class PassSearch final : public Solver {
   PassSearch(PassProblem problem, Plan plan, std::uint64_t seed);
 
   void improve(std::uint64_t tries) override;
-  [[nodiscard]] Plan best() const override { return plan_; }
+  [[nodiscard]] Plan best() const override { return best_; }
 
  private:
   using Route = std::vector<std::size_t>;
-  using Score = std::tuple<Ticks, double, double>;  ///< priority left out, then by the objective
+  struct Score {
+    Ticks unvisited_priority{};
+    double longest{};
+    double total{};
+  };
 
   struct Spot {
     std::size_t vehicle{};  ///< as many as there are: nobody's
@@ -31,7 +34,9 @@ class PassSearch final : public Solver {
   };
   [[nodiscard]] const Vehicle& vehicle(std::size_t index) const { return problem_.problem.vehicles[index]; }
   [[nodiscard]] bool holds(std::size_t vehicle, const Route& route, double cost) const;
-  void shorten(std::size_t vehicle);
+  [[nodiscard]] Plan shortened(Plan plan) const;
+  void shorten(std::size_t vehicle, Route& route) const;
+  [[nodiscard]] std::vector<double> costs_of(const Plan& plan) const;
   [[nodiscard]] Spot spot_of(std::size_t stop) const;
   [[nodiscard]] std::size_t any_stop();
   void move_run();
@@ -39,6 +44,8 @@ class PassSearch final : public Solver {
   void exchange();
   void judge(std::vector<std::pair<std::size_t, Route>> changes);
   [[nodiscard]] Score score(const Plan& plan, const std::vector<double>& costs) const;
+  [[nodiscard]] double smooth(const Score& score) const;
+  [[nodiscard]] bool is_better(const Score& a, const Score& b) const;
 
   PassProblem problem_;
   Neighbours near_;
@@ -46,6 +53,9 @@ class PassSearch final : public Solver {
   Plan plan_;
   std::vector<double> costs_;  ///< of each route
   Score score_;
+  Cooling cooling_;
+  Plan best_;
+  Score best_score_;
 };
 
 }  // namespace ponte::planning

@@ -18,10 +18,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+/// Without the zero that ends a literal.
+Bytes bytes_in(std::string_view text) { return bytes_of(std::span{text.data(), text.size()}); }
+
 // Files from before RFC 7946 name a coordinate system.
 TEST(Quirks, AGeoJsonThatNamesItsCoordinateSystemIsReadWithARemark) {
   const auto reading = read_geojson(
-      bytes_of("{\"type\":\"Point\",\"bbox\":[8,47,9,48],\n\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"x\"}},"
+      bytes_in("{\"type\":\"Point\",\"bbox\":[8,47,9,48],\n\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"x\"}},"
                "\"coordinates\":[8.5,47.5]}"),
       {});
   EXPECT_THAT(content(reading).points, ElementsAre(PointOfInterest{.place = place(47.5, 8.5)}));
@@ -30,14 +33,14 @@ TEST(Quirks, AGeoJsonThatNamesItsCoordinateSystemIsReadWithARemark) {
 
 TEST(Quirks, APlaceOnTheOtherSideOfTheAntimeridianIsNear) {
   const auto reading =
-      read_geojson(bytes_of("{\"type\":\"MultiPoint\",\"coordinates\":[[179.999,-17],[-179.999,-17]]}"), {});
+      read_geojson(bytes_in("{\"type\":\"MultiPoint\",\"coordinates\":[[179.999,-17],[-179.999,-17]]}"), {});
   EXPECT_EQ(content(reading).points.size(), 2U);
   EXPECT_THAT(remarks(reading), IsEmpty());
 }
 
 TEST(Quirks, ATrackOfGoogleEarthIsToldOf) {
   const auto reading = read_kml(
-      bytes_of("<kml xmlns=\"http://www.opengis.net/kml/2.2\" xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n"
+      bytes_in("<kml xmlns=\"http://www.opengis.net/kml/2.2\" xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n"
                "<Placemark><Point><coordinates>8.5,47.5</coordinates></Point></Placemark>\n"
                "<Placemark><gx:Track><gx:coord>8.5 47.5 0</gx:coord></gx:Track></Placemark></kml>"));
   EXPECT_EQ(content(reading).points.size(), 1U);
@@ -47,7 +50,7 @@ TEST(Quirks, ATrackOfGoogleEarthIsToldOf) {
 // A position without an altitude, as importers crashed on.
 TEST(Quirks, AnAbsoluteKmlAltitudeThatIsMissingIsZero) {
   const auto reading = read_kml(
-      bytes_of("<kml><Placemark><Point><altitudeMode>absolute</altitudeMode><coordinates>8.5,47.5</coordinates>"
+      bytes_in("<kml><Placemark><Point><altitudeMode>absolute</altitudeMode><coordinates>8.5,47.5</coordinates>"
                "</Point></Placemark></kml>"));
   EXPECT_EQ(content(reading).points.at(0).altitude, (vehicle::Altitude{Metres{0}, vehicle::AltitudeFrame::msl}));
 }
@@ -55,11 +58,11 @@ TEST(Quirks, AnAbsoluteKmlAltitudeThatIsMissingIsZero) {
 TEST(Quirks, APolygonIsAnAreaWhereAnAreaIsAskedFor) {
   const ReadOptions asks{.bare_polygons_are_inclusions = true};
   const auto map_page = content(
-      read_geojson(bytes_of("{\"type\":\"Polygon\",\"coordinates\":[[[8,47],[8.1,47],[8.1,47.1],[8,47]]]}"), asks));
+      read_geojson(bytes_in("{\"type\":\"Polygon\",\"coordinates\":[[[8,47],[8.1,47],[8.1,47.1],[8,47]]]}"), asks));
   ASSERT_EQ(map_page.mission.fence_polygons.size(), 1U);
   EXPECT_TRUE(map_page.mission.fence_polygons[0].inclusion);
   const auto google_earth = content(
-      read_kml(bytes_of("<kml><Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>8,47 8.1,47 8.1,47.1 8,47"
+      read_kml(bytes_in("<kml><Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>8,47 8.1,47 8.1,47.1 8,47"
                         "</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark></kml>"),
                asks));
   EXPECT_EQ(google_earth.mission.fence_polygons, map_page.mission.fence_polygons);
@@ -85,7 +88,7 @@ TEST(Quirks, AComplexItemOfTheFutureIsKeptAsItIs) {
       "\"vehicleType\":2,\"cruiseSpeed\":15,\"hoverSpeed\":5,\"plannedHomePosition\":[47.3,8.5,400],\"items\":[\n"
       "{\"type\":\"ComplexItem\",\"complexItemType\":\"spiral2030\",\"version\":9,\"turns\":4}]},\n"
       "\"geoFence\":{\"version\":2,\"circles\":[],\"polygons\":[]},\"rallyPoints\":{\"version\":2,\"points\":[]}}";
-  const auto reading = read_plan(bytes_of(plan));
+  const auto reading = read_plan(bytes_in(plan));
   ASSERT_EQ(content(reading).mission.patterns.size(), 1U);
   EXPECT_EQ(content(reading).mission.patterns[0].kind, "spiral2030");
   const auto writing = write_plan(content(reading));
@@ -96,15 +99,16 @@ TEST(Quirks, AComplexItemOfTheFutureIsKeptAsItIs) {
 // The MAVLink guide's own example has a place near Zurich with latitude and longitude the other way round.
 TEST(Quirks, OneSwappedPlaceAmongOthersIsDoubted) {
   const auto reading =
-      read_wpl(bytes_of("QGC WPL 110\n"
+      read_wpl(bytes_in("QGC WPL 110\n"
                         "0\t1\t0\t16\t0\t0\t0\t0\t47.376\t8.548\t400\t1\n"
                         "1\t0\t3\t16\t0\t0\t0\t0\t47.3761\t8.5481\t50\t1\n"
-                        "2\t0\t3\t16\t0\t0\t0\t0\t8.548\t47.376\t50\t1\n"));
+                        "2\t0\t3\t16\t0\t0\t0\t0\t8.548\t47.376\t50\t1\n"
+                        "3\t0\t3\t16\t0\t0\t0\t0\t47.3763\t8.5483\t50\t1\n"));
   EXPECT_THAT(remarks(reading), ElementsAre(HasSubstr("line 4: 8.548, 47.376 looks swapped")));
 }
 
 TEST(Quirks, DegreesMinutesAndSecondsAreRefusedByLineAndValue) {
-  EXPECT_THAT(refusal(read_csv(bytes_of("lat,lon\n47.5,8.5\n47 23 45N,8.5\n"), {})), HasSubstr("line 3: latitude is"));
+  EXPECT_THAT(refusal(read_csv(bytes_in("lat,lon\n47.5,8.5\n47 23 45N,8.5\n"), {})), HasSubstr("line 3: latitude is"));
 }
 
 }  // namespace
