@@ -3,8 +3,7 @@
 #include "ponte/planning/plane.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace ponte::planning {
 namespace {

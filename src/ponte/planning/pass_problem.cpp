@@ -48,7 +48,7 @@ double expected_leg(const PassCosts& passes, std::size_t from, std::size_t to, b
     sum += best;
     ++count;
   }
-  return begins_anyhow || count == 0 ? least : sum / count;
+  return begins_anyhow || count == 0 ? least : (least + sum / count) / 2;
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ struct PassProblem {
   std::vector<PassCosts> classes;  ///< as many as `problem.costs`
 };
 
-/// What a leg costs on the average of the ways to pass its beginning, and with the best way to pass its end. From the
-/// places after the stops, where routes may begin in any way, it costs the least.
+/// What a leg may be expected to cost: half-way between the least and the mean of the ways to pass its beginning, each
+/// with the best way to pass its end. From the places after the stops, where routes may begin in any way, it costs the
+/// least.
 [[nodiscard]] CostMatrix expected(const PassCosts& passes, std::size_t stops);
 
 /// A route with the ways of passing that make it cheapest.
