@@ -27,6 +27,7 @@ std::string place_prefix(const std::string& file, const Where& where) {
 
 planning::ReadOptions read_options(const MissionInput& input) {
   planning::ReadOptions options;
+  options.bare_polygons_are_inclusions = input.bare_polygons_are_inclusions;
   for (const auto layout : planning::poi_layouts)
     if (name_of(layout) == input.poi_layout) options.poi_layout = layout;
   for (const auto frame : planning::altitude_frames)

@@ -16,6 +16,7 @@ struct MissionInput {
   std::string poi_layout;
   std::string altitude_above;
   std::optional<double> altitude_m;
+  bool bare_polygons_are_inclusions{};  ///< no option: a command knows whether it asks for areas
 };
 
 /// The options of a command that reads such a file, all but the file itself.

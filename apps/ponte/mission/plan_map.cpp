@@ -89,9 +89,8 @@ std::string_view zone_style(bool inclusion) {
 
 }  // namespace
 
-std::string map_page(const planning::FlightPlanner& planner, const std::vector<planning::Flight>& flights) {
-  const auto& task = planner.task();
-  Drawing drawing{task.points.front().place};
+std::string map_page(const planning::Task& task, const std::vector<planning::Flight>& flights) {
+  Drawing drawing{task.crafts.front().start};
   for (const auto& zone : task.fence.fence_polygons) drawing.line(zone.corners, "polygon", zone_style(zone.inclusion));
   for (const auto& circle : task.fence.fence_circles) {
     std::vector<vehicle::Place> ring;
@@ -99,14 +98,14 @@ std::string map_page(const planning::FlightPlanner& planner, const std::vector<p
       ring.push_back(planning::displaced(circle.centre, Radians{2 * std::numbers::pi * i / 72}, circle.radius));
     drawing.line(ring, "polygon", zone_style(circle.inclusion));
   }
+  for (const auto& line : task.lines)
+    drawing.line({line.begin, line.end}, "polyline",
+                 "stroke=\"#000\" stroke-opacity=\"0.2\" stroke-width=\"6\" vector-effect=\"non-scaling-stroke\"");
   std::string legend;
   for (std::size_t i = 0; i < flights.size(); ++i) {
     const auto* const colour = colours[i % colours.size()];
-    std::vector<vehicle::Place> path{task.crafts[i].start};
-    for (const auto& leg : flights[i].legs) {
-      path.insert(path.end(), leg.turns.begin(), leg.turns.end());
-      path.push_back(leg.target);
-    }
+    std::vector<vehicle::Place> path;
+    for (const auto& moment : flights[i].track) path.push_back(moment.place);
     drawing.line(path, "polyline", fmt::format("stroke=\"{}\" vector-effect=\"non-scaling-stroke\"", colour));
     drawing.dot(task.crafts[i].start, "start", fmt::format("fill=\"{}\"", colour));
     legend += fmt::format("<li style=\"color:{}\">vehicle {}: {:.0f} m, {:.0f} s</li>\n", colour, i + 1,

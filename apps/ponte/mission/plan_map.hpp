@@ -6,8 +6,7 @@
 
 namespace ponte::app {
 
-/// A page that shows points, zones and routes, north up; it needs nothing from elsewhere.
-[[nodiscard]] std::string map_page(const planning::FlightPlanner& planner,
-                                   const std::vector<planning::Flight>& flights);
+/// A page that shows points, survey lines, zones and routes, north up; it needs nothing from elsewhere.
+[[nodiscard]] std::string map_page(const planning::Task& task, const std::vector<planning::Flight>& flights);
 
 }  // namespace ponte::app

@@ -1,5 +1,7 @@
 #include "ponte/planning/airspace.hpp"
 
+#include "ponte/planning/plane.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,54 +11,6 @@ namespace ponte::planning {
 namespace {
 
 constexpr int sides_of_circle = 24;
-
-MapPoint operator-(const MapPoint& a, const MapPoint& b) { return {a.east - b.east, a.north - b.north}; }
-MapPoint operator+(const MapPoint& a, const MapPoint& b) { return {a.east + b.east, a.north + b.north}; }
-MapPoint operator*(const MapPoint& a, double factor) { return {a.east * factor, a.north * factor}; }
-double cross(const MapPoint& a, const MapPoint& b) { return a.east * b.north - a.north * b.east; }
-double length(const MapPoint& a) { return std::hypot(a.east, a.north); }
-
-/// Positive when the three turn left.
-double turn(const MapPoint& a, const MapPoint& b, const MapPoint& c) { return cross(b - a, c - a); }
-
-bool is_between(const MapPoint& a, const MapPoint& b, const MapPoint& point) {
-  return std::min(a.east, b.east) <= point.east && point.east <= std::max(a.east, b.east) &&
-         std::min(a.north, b.north) <= point.north && point.north <= std::max(a.north, b.north);
-}
-
-/// Whether two lines have a point in common, their ends included.
-bool touch(const MapPoint& a, const MapPoint& b, const MapPoint& c, const MapPoint& d) {
-  const auto c_side = turn(a, b, c);
-  const auto d_side = turn(a, b, d);
-  const auto a_side = turn(c, d, a);
-  const auto b_side = turn(c, d, b);
-  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-  return (c_side == 0 && is_between(a, b, c)) || (d_side == 0 && is_between(a, b, d)) ||
-         (a_side == 0 && is_between(c, d, a)) || (b_side == 0 && is_between(c, d, b));
-}
-
-bool is_inside(const std::vector<MapPoint>& corners, const MapPoint& point) {
-  bool inside = false;
-  auto before = corners.back();
-  for (const auto& corner : corners) {
-    if ((corner.north > point.north) != (before.north > point.north) &&
-        (turn(before, corner, point) > 0) == (corner.north > before.north))
-      inside = !inside;
-    before = corner;
-  }
-  return inside;
-}
-
-/// Twice the area, positive when the corners go round to the left.
-double signed_area(const std::vector<MapPoint>& corners) {
-  double sum = 0;
-  auto before = corners.back();
-  for (const auto& corner : corners) {
-    sum += cross(before, corner);
-    before = corner;
-  }
-  return sum;
-}
 
 }  // namespace
 

@@ -14,8 +14,13 @@ class Airspace {
   /// 24 sides that keeps the vehicle on the right side of it. `centre` is a place in the midst of all.
   Airspace(const vehicle::Mission& fence, const vehicle::Place& centre, Metres margin);
 
+  [[nodiscard]] const Map& map() const { return map_; }
+  [[nodiscard]] bool has_no_zones() const { return zones_.empty(); }
+
   /// Whether a vehicle may be there.
   [[nodiscard]] bool allows(const vehicle::Place& place) const;
+  /// Whether the straight line between two points of its map touches no border of a zone.
+  [[nodiscard]] bool is_free(const MapPoint& from, const MapPoint& to) const;
 
   /// The places where the shortest way turns, without both ends; nothing when there is no way.
   [[nodiscard]] std::optional<std::vector<vehicle::Place>> way(const vehicle::Place& from,
@@ -27,7 +32,6 @@ class Airspace {
     bool inclusion{};
   };
   [[nodiscard]] bool allows(const MapPoint& point) const;
-  [[nodiscard]] bool is_free(const MapPoint& from, const MapPoint& to) const;
   void add_turns(const Zone& zone, double margin);
 
   Map map_;

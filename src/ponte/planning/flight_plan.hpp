@@ -1,83 +1,97 @@
 #pragma once
 
 #include "ponte/planning/airspace.hpp"
-#include "ponte/planning/point_of_interest.hpp"
-#include "ponte/planning/problem.hpp"
-#include "ponte/planning/wind.hpp"
+#include "ponte/planning/pass_problem.hpp"
+#include "ponte/planning/task.hpp"
+#include "ponte/planning/turning.hpp"
 
-/// From points of interest to a problem for a solver, and from its plan to missions that can be flown.
+#include <optional>
+
+/// From points and lines to a problem for a solver, and from its plan to flights.
 namespace ponte::planning {
 
-struct Craft {
-  vehicle::Place start{};
-  std::vector<vehicle::Place> ends{};     ///< it lands at the one that is cheapest to reach; at its last point if none
-  MetresPerSecond speed{};                ///< through the air, above 0
-  bool sets_speed{};                      ///< its mission sets this speed; else the craft is known to fly at it
-  MetresPerSecond vertical_speed{};       ///< of climb and descent, above 0
-  vehicle::Seconds endurance{unlimited};  ///< what it may use, the reserve taken off
-  double quality{1};                      ///< of its sensor, 0 to 1
-};
-
-struct Task {
-  std::vector<PointOfInterest> points{};
-  std::vector<Craft> crafts{};  ///< at least one
-  vehicle::Mission fence{};     ///< its polygons and circles hold on every leg
-  Metres margin{};              ///< that detours keep from corners of the fence
-  Wind wind{};
-  vehicle::Altitude altitude{};  ///< to fly at where a point tells none
-  Objective objective{};
-};
-
-/// A route in the air, with the turns of its detours.
+/// A route in the air.
 struct Flight {
   struct Leg {
-    std::vector<vehicle::Place> turns{};  ///< before the target
+    std::vector<vehicle::Place> turns{};  ///< to fly by before the target: round zones, and where a turn is over
     vehicle::Place target{};
-    std::optional<std::size_t> point{};  ///< the point of interest there; nothing for the landing place
+    std::optional<std::size_t> stop{};  ///< what is visited: a point, or a line from its number on; nothing at the end
+    std::optional<SurveyLine> line{};   ///< in the direction of the flight; the target lies its run-in behind it
     vehicle::Altitude altitude{};
   };
-  std::vector<Leg> legs{};  ///< none when the craft stays on the ground
-  Metres length{};          ///< over ground
-  vehicle::Seconds time{};  ///< with climb, dwell and descent
+  /// When it is where. It flies straight from one moment to the next.
+  struct Moment {
+    vehicle::Seconds time{};  ///< since its take-off
+    vehicle::Place place{};
+    Metres height{};  ///< in the frame of the task's altitude
+  };
+  std::vector<Leg> legs{};      ///< none when the craft stays on the ground
+  std::vector<Moment> track{};  ///< turns as chords of 10 degrees
+  Metres length{};              ///< over ground
+  vehicle::Seconds time{};      ///< with climb, dwell and descent
+  Metres added_altitude{};      ///< to keep away from others
+  vehicle::Seconds wait{};      ///< before take-off, likewise
 };
 
 /// Knows the ways between all places of a task.
 class FlightPlanner {
  public:
   explicit FlightPlanner(Task task);
+  FlightPlanner(const FlightPlanner&) = delete;
+  FlightPlanner& operator=(const FlightPlanner&) = delete;
+  ~FlightPlanner() = default;
 
   [[nodiscard]] const Task& task() const { return task_; }
   [[nodiscard]] const Airspace& airspace() const { return airspace_; }
-  /// Stop i is point i. Costs are seconds.
-  [[nodiscard]] const Problem& problem() const { return problem_; }
-  /// One flight for each craft, of a plan for `problem`.
+  /// Stop i is point i, and behind the points line i. Costs are seconds.
+  [[nodiscard]] const PassProblem& pass_problem() const { return problem_; }
+  [[nodiscard]] const Problem& problem() const { return problem_.problem; }
+  /// Whether only `pass_problem` has the true costs: there are lines, or a craft that cannot turn on the spot.
+  [[nodiscard]] bool has_passes() const;
+  /// One flight for each craft, of a plan for the problem.
   [[nodiscard]] std::vector<Flight> flights(const Plan& plan) const;
 
  private:
-  [[nodiscard]] std::optional<double> seconds(const Craft& craft, std::size_t from, std::size_t to) const;
-  void add_leg(Flight& flight, const Craft& craft, std::size_t from, std::size_t to) const;
-  [[nodiscard]] vehicle::Altitude altitude_of(std::size_t place) const;
+  /// A way to make a visit, or to start or to land: in at one spot, out at another.
+  struct Pass {
+    std::size_t in{};
+    std::size_t out{};
+    Radians course{};  ///< on the map; of no matter to a craft that turns on the spot
+  };
+  /// Crafts that are alike in flight.
+  struct Class {
+    MetresPerSecond speed{};
+    Metres turn_radius{};
+    FlyingTimes times;
+    std::optional<TurningWays> turning{};     ///< of a craft that cannot turn on the spot
+    std::vector<std::vector<Pass>> passes{};  ///< of each place of the problem
+  };
+  using Corners = std::vector<vehicle::Place>;
+
+  void find_ways();
+  std::size_t class_of(const Craft& craft);
+  [[nodiscard]] std::vector<std::vector<Pass>> passes_of(Metres turn_radius) const;
+  [[nodiscard]] PassCosts pass_costs(const Class& likes) const;
+  void add_costs(PassCosts& costs, const Class& likes, std::size_t from, std::size_t to) const;
+  [[nodiscard]] double seconds(const Class& likes, std::size_t from, std::size_t to) const;
+  [[nodiscard]] double seconds_within(const Class& likes, const Pass& pass) const;
+  [[nodiscard]] Flight flight(std::size_t craft, const std::vector<std::size_t>& route) const;
+  void add_leg(Flight& flight, const Class& likes, const Pass& from, const Pass& to,
+               std::optional<std::size_t> stop) const;
+  void turn_to(Flight& flight, Flight::Leg& leg, const Class& likes, const Pass& from, const Pass& to) const;
+  void fly_to(Flight& flight, const Class& likes, const vehicle::Place& place) const;
+  [[nodiscard]] const Corners& corners(std::size_t from, std::size_t to) const {
+    return *ways_[from * places_.size() + to];
+  }
+  [[nodiscard]] std::vector<MapPoint> corner_points(std::size_t from, std::size_t to) const;
 
   Task task_;
-  std::vector<vehicle::Place> places_;  ///< the points, then the starts and ends of the crafts
+  std::vector<vehicle::Place> places_;  ///< of all spots: points, both ends of lines, starts and ends of crafts
   Airspace airspace_;
-  std::vector<std::optional<std::vector<vehicle::Place>>> ways_;
-  Problem problem_;
+  std::vector<MapPoint> spots_;               ///< the same on the map
+  std::vector<std::optional<Corners>> ways_;  ///< from each spot to each, without turns
+  std::vector<Class> classes_;
+  PassProblem problem_;
 };
-
-/// For each flight the altitude layer that keeps it apart from the others: flights whose paths come nearer to one
-/// another than `distance` are in different layers, counted from 0.
-[[nodiscard]] std::vector<int> layers(const std::vector<Craft>& crafts, const std::vector<Flight>& flights,
-                                      Metres distance);
-
-struct MissionStyle {
-  Metres added_altitude{};  ///< of the layer
-  vehicle::Seconds wait{};  ///< before take-off
-  bool takes_pictures{};    ///< one at each point
-};
-
-/// Take-off, speed, waypoints, landing. Empty for a flight without legs.
-[[nodiscard]] vehicle::Mission mission_of(const Craft& craft, const Flight& flight,
-                                          const std::vector<PointOfInterest>& points, const MissionStyle& style);
 
 }  // namespace ponte::planning

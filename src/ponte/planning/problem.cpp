@@ -49,12 +49,12 @@ Result<void, std::string> check_costs(const Problem& problem, std::size_t index)
   return {};
 }
 
-Unvisited explain(const Problem& problem, std::size_t stop) {
+Unvisited explain(const Problem& problem, std::size_t stop, const CostAlone& cost_alone) {
   Unvisited result{.stop = stop, .reason = UnvisitedReason::no_sensor};
   bool is_within_endurance = false;
   for (const auto& vehicle : problem.vehicles) {
     if (vehicle.quality < problem.stops[stop].quality_needed) continue;
-    const auto cost = route_cost(problem, vehicle, {stop});
+    const auto cost = cost_alone(vehicle, stop);
     result.cost_alone = std::min(result.cost_alone, cost);
     is_within_endurance |= std::isfinite(cost) && cost <= vehicle.endurance;
     result.reason = UnvisitedReason::no_way;
@@ -116,12 +116,17 @@ PlanFigures figures(const Problem& problem, const Plan& plan) {
 }
 
 std::vector<Unvisited> unvisited(const Problem& problem, const Plan& plan) {
+  return unvisited(problem, plan,
+                   [&](const Vehicle& vehicle, std::size_t stop) { return route_cost(problem, vehicle, {stop}); });
+}
+
+std::vector<Unvisited> unvisited(const Problem& problem, const Plan& plan, const CostAlone& cost_alone) {
   std::vector<char> is_visited(problem.stops.size());
   for (const auto& route : plan.routes)
     for (const auto stop : route) is_visited[stop] = 1;
   std::vector<Unvisited> result;
   for (std::size_t stop = 0; stop < problem.stops.size(); ++stop)
-    if (is_visited[stop] == 0) result.push_back(explain(problem, stop));
+    if (is_visited[stop] == 0) result.push_back(explain(problem, stop, cost_alone));
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "ponte/core/result.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -104,7 +105,11 @@ struct Unvisited {
   double cost_alone{unlimited};  ///< of the cheapest route that visits only this stop, by a vehicle with such a sensor
 };
 
+/// What a vehicle's route to one stop and on to its end costs.
+using CostAlone = std::function<double(const Vehicle& vehicle, std::size_t stop)>;
+
 /// The stops that no route visits, in their order.
+[[nodiscard]] std::vector<Unvisited> unvisited(const Problem& problem, const Plan& plan, const CostAlone& cost_alone);
 [[nodiscard]] std::vector<Unvisited> unvisited(const Problem& problem, const Plan& plan);
 
 }  // namespace ponte::planning

@@ -119,14 +119,14 @@ class GeoJsonReader {
 
   void read_polygon(const JsonValue& coordinates, const JsonValue* properties) {
     const auto* fence = properties != nullptr ? properties->find("fence") : nullptr;
-    if (fence == nullptr) {
+    if (fence == nullptr && !options_.bare_polygons_are_inclusions) {
       remark(coordinates.line, "a polygon is not kept: it has no property fence, \"inclusion\" or \"exclusion\"");
       return;
     }
-    const bool inclusion = is_inclusion(text_of(*fence, "fence"), at_line(fence->line));
+    const bool inclusion = fence == nullptr || is_inclusion(text_of(*fence, "fence"), at_line(fence->line));
     const auto& rings = elements_of(coordinates, "a polygon");
     if (rings.empty()) refuse(at_line(coordinates.line), "the polygon has no ring", "one");
-    if (rings.size() > 1) refuse(at_line(rings[1].line), "the fence has a hole", "a polygon of its own for it");
+    if (rings.size() > 1) refuse(at_line(rings[1].line), "the polygon has a hole", "a polygon of its own for it");
     vehicle::FencePolygon polygon{.corners = {}, .inclusion = inclusion};
     for (const auto& position : elements_of(rings[0], "a ring"))
       polygon.corners.push_back(point(position, nullptr).place);

@@ -38,7 +38,7 @@ Tuple parse_tuple(std::string_view text, Where where) {
 
 class KmlReader final : public pugi::xml_tree_walker {
  public:
-  explicit KmlReader(const XmlText& xml) : xml_{xml} {}
+  KmlReader(const XmlText& xml, const ReadOptions& options) : xml_{xml}, options_{options} {}
 
   Reading read() {
     if (local_name(xml_.root()) != "kml")
@@ -133,20 +133,21 @@ class KmlReader final : public pugi::xml_tree_walker {
 
   void read_polygon(const pugi::xml_node& shape) {
     const auto fence = data("fence");
-    if (fence.empty()) {
+    if (fence.empty() && !options_.bare_polygons_are_inclusions) {
       remark(shape, "a polygon is not kept: its placemark has no value fence, \"inclusion\" or \"exclusion\"");
       return;
     }
     if (child(shape, "innerBoundaryIs"))
-      refuse(xml_.where(child(shape, "innerBoundaryIs")), "the fence has a hole", "a polygon of its own for it");
+      refuse(xml_.where(child(shape, "innerBoundaryIs")), "the polygon has a hole", "a polygon of its own for it");
     const auto ring = child(child(shape, "outerBoundaryIs"), "LinearRing");
     if (!ring) refuse(xml_.where(shape), "the polygon has no outer ring", "<outerBoundaryIs><LinearRing>");
-    vehicle::FencePolygon polygon{.corners = {}, .inclusion = is_inclusion(fence, xml_.where(shape))};
+    vehicle::FencePolygon polygon{.corners = {}, .inclusion = fence.empty() || is_inclusion(fence, xml_.where(shape))};
     for (const auto& each : tuples(ring)) polygon.corners.push_back(each.place);
     add_ring(reading_.content.mission, std::move(polygon), xml_.where(ring));
   }
 
   const XmlText& xml_;
+  const ReadOptions& options_;
   pugi::xml_node placemark_;  ///< the last one begun
   Shapes shapes_;
   Reading reading_;
@@ -154,9 +155,9 @@ class KmlReader final : public pugi::xml_tree_walker {
 
 }  // namespace
 
-ReadingResult read_kml(Bytes bytes, const ReadOptions&) try {
+ReadingResult read_kml(Bytes bytes, const ReadOptions& options) try {
   const XmlText xml{text_in(bytes)};
-  return KmlReader{xml}.read();
+  return KmlReader{xml, options}.read();
 } catch (const FormatError& error) {
   return fail(error);
 }

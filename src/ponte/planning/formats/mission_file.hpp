@@ -29,6 +29,8 @@ enum class PoiLayout : std::uint8_t { f64_le, f64_be, f32_le, f32_be };
 struct ReadOptions {
   std::optional<PoiLayout> poi_layout{};
   std::optional<vehicle::AltitudeFrame> altitude_above{};  ///< what altitudes are counted from
+  /// A polygon that does not tell whether it is a fence is an inclusion; else it is not kept, and a remark says so.
+  bool bare_polygons_are_inclusions{};
 };
 
 /// Something that a reader did not keep, or took although it looks wrong: a whole clause.
