@@ -13,18 +13,22 @@ std::string emit_all_header(const std::vector<const Message*>& messages, std::st
   std::string includes;
   std::string cases;
   std::string calls;
-  for (const auto* message : messages) {
-    const auto type = pascal_case(message->key);
-    includes += fmt::format("#include \"{}/{}.hpp\"\n", include_folder, message->key);
-    cases += fmt::format("    case {}: f.template operator()<{}>(); return true;\n", message->number, type);
-    calls += fmt::format("  f.template operator()<{}>();\n", type);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    const auto& message = *messages[i];
+    const auto call = fmt::format("f.template operator()<{}>();", pascal_case(message.key));
+    includes += fmt::format("#include \"{}/{}.hpp\"\n", include_folder, message.key);
+    calls += fmt::format("  {}\n", call);
+    if (i == 0 || messages[i - 1]->number != message.number) cases += fmt::format("    case {}:", message.number);
+    cases += ' ' + call;
+    if (i + 1 == messages.size() || messages[i + 1]->number != message.number) cases += " return true;\n";
   }
   return fmt::format(R"({}#pragma once
 
 {}
 namespace {} {{
 
-/// Calls `f.template operator()<M>()` with the message type that has this number; false when there is none.
+/// Calls `f.template operator()<M>()` with the message type that has this number; several may, in MAVLink 0.9 alone.
+/// False when there is none.
 template <class F>
 bool with_message({} number, F&& f) {{
   switch (number.value) {{

@@ -30,8 +30,8 @@ using Files = std::map<std::filesystem::path, std::string>;
 /// is no longer generated. A file that does not begin with the generated notice is somebody else's and stays.
 void write_files(const Files& files, const std::filesystem::path& folder);
 
-/// `all.hpp`: `with_message(id, f)` calls `f.template operator()<M>()` for the message type with that id;
-/// `for_each_message(f)` does so for every type.
+/// `all.hpp`: `with_message(id, f)` calls `f.template operator()<M>()` for the message type with that id, or for each
+/// of several (MAVLink 0.9); `for_each_message(f)` does so for every type. The messages are sorted by number.
 [[nodiscard]] std::string emit_all_header(const std::vector<const Message*>& messages, std::string_view include_folder,
                                           std::string_view name_space, std::string_view id_type);
 

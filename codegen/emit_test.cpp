@@ -62,6 +62,16 @@ TEST(Emit, GivesEveryMavlinkMessageItsOwnHeader) {
   for (const auto& [path, text] : files) EXPECT_THAT(text, StartsWith(std::string{generated_notice})) << path;
 }
 
+// clang-16 refuses a switch with the same case twice; g++ did not look before it was called.
+TEST(Emit, GivesMessagesThatShareANumberOneCase) {
+  constexpr std::string_view shared =
+      "<mavlink wire='0.9'><messages><message id='7' name='SHORT'><field type='uint8_t' name='x'/></message>"
+      "<message id='7' name='LONGER'><field type='uint16_t' name='x'/></message></messages></mavlink>";
+  const auto all = emit_mavlink(read_mavlink_text(shared, "old.xml"), false).at("ponte/mavlink/old/all.hpp");
+  EXPECT_THAT(all,
+              HasSubstr("    case 7: f.template operator()<Short>(); f.template operator()<Longer>(); return true;\n"));
+}
+
 TEST(Emit, GivesADliMessageWithoutFieldsNoHeaderButAPlaceInTheCatalogue) {
   const auto files = dli_files();
   EXPECT_THAT(names_of(files), ElementsAre("ponte/dli/messages/all.hpp", "ponte/dli/messages/catalogue.cpp",
