@@ -70,7 +70,7 @@ export interface MavlinkMessage {
   time_us: number;
   id: number;
   name: string;
-  version: 1 | 2;
+  version: 0.9 | 1 | 2;
   system: number;
   component: number;
   sequence: number;

@@ -26,10 +26,16 @@ it('knows which DLI messages carry what a MAVLink message says', () => {
 });
 
 it('labels enumerations and flags', () => {
-  const field = (name: string) => catalogue.mavlink(0)!.fields.find((info: MavlinkFieldInfo) => info.name === name)!;
+  const field = (name: string) =>
+    catalogue.mavlink({ id: 0, version: 2 })!.fields.find((info: MavlinkFieldInfo) => info.name === name)!;
   expect(catalogue.labelOf(field('type'), 2)).toBe('MAV_TYPE_QUADROTOR');
   expect(catalogue.labelOf(field('type'), 200)).toBeUndefined();
   expect(catalogue.labelOf(field('base_mode'), 137)).toBe(
     'MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | MAV_MODE_FLAG_GUIDED_ENABLED | MAV_MODE_FLAG_SAFETY_ARMED',
   );
+});
+
+it('keeps what it knows of today off the messages of MAVLink 0.9', () => {
+  expect(catalogue.mavlink({ id: 0, version: 1 })).toBeDefined();
+  expect(catalogue.mavlink({ id: 0, version: 0.9 })).toBeUndefined();
 });

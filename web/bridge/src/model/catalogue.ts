@@ -29,8 +29,9 @@ export class Catalogue {
     this.rules = data.rules;
   }
 
-  mavlink(id: number): MavlinkMessageInfo | undefined {
-    return this.mavlinkMessages.get(id);
+  /** Nothing for a message of MAVLink 0.9: the same id may mean another one there, and its fields lie elsewhere. */
+  mavlink(message: { id: number; version: number }): MavlinkMessageInfo | undefined {
+    return message.version < 1 ? undefined : this.mavlinkMessages.get(message.id);
   }
 
   dli(number: number): DliMessageInfo | undefined {

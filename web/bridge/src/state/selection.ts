@@ -10,7 +10,7 @@ export const selection = signal<Selection | undefined>();
 
 /** Points at the first field of a message that is translated, so that a rule is seen before anybody has pointed. */
 export function selectFirstMapped(message: MavlinkMessage | undefined): void {
-  const fields = message && catalogue.value?.mavlink(message.id)?.fields;
+  const fields = message && catalogue.value?.mavlink(message)?.fields;
   const first = fields?.find(({ name }) => catalogue.value!.targetsOf(message!.name, name).length > 0);
   selection.value = first && { side: 'mavlink', message: message!.name, field: first.name };
 }

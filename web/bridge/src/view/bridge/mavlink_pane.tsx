@@ -15,7 +15,7 @@ import { FieldRow, FieldTable } from './field_table';
 export function MavlinkPane({ message }: { message: MavlinkMessage }) {
   const bytes = bytesOf(message.hex);
   const { header, payload } = mavlinkLayout(bytes);
-  const fields = catalogue.value?.mavlink(message.id)?.fields ?? [];
+  const fields = catalogue.value?.mavlink(message)?.fields ?? [];
   const isMarked = (field: MavlinkFieldInfo) => marked.value.mavlink.has(`${message.name}.${field.name}`);
   const marks = fields.filter(isMarked).map((field) => mavlinkFieldRange(field, payload));
   return (

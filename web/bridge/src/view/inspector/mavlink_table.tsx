@@ -42,7 +42,7 @@ function Details({ message }: { message: MavlinkMessage }) {
       {message.fields ? (
         <dl class="values">
           {Object.entries(message.fields).map(([name, value]) => {
-            const info = catalogue.value?.mavlink(message.id)?.fields.find((field) => field.name === name);
+            const info = catalogue.value?.mavlink(message)?.fields.find((field) => field.name === name);
             const shown =
               typeof value === 'number' ? shownFromWire(value, info?.unit, settings.units.value) : undefined;
             const meaning = shown ? shownText(shown) : info && catalogue.value?.labelOf(info, value);
