@@ -17,6 +17,7 @@ extern const bool multiplies;
 /// Fewer bytes are left to the tables.
 inline constexpr std::size_t least_multiplied = 16;
 
+/// Only where `multiplies`.
 [[nodiscard]] std::uint16_t crc_by_multiplication(Bytes bytes, std::uint16_t before);
 [[nodiscard]] std::uint16_t crc_by_tables(Bytes bytes, std::uint16_t before);
 

@@ -1,4 +1,3 @@
-#include "ponte/core/assert.hpp"
 #include "ponte/mavlink/crc.hpp"
 
 #ifdef __x86_64__
@@ -85,7 +84,7 @@ PONTE_WITH_MULTIPLICATION std::uint16_t crc_by_multiplication(Bytes bytes, std::
   constexpr std::size_t longest = most_blocks * block_size;
   for (; bytes.size() > longest; bytes = bytes.subspan(longest))
     before = crc_by_multiplication(bytes.first(longest), before);
-  PONTE_ASSERT(bytes.size() >= least_multiplied);
+  if (bytes.size() < least_multiplied) return crc_by_tables(bytes, before);
 
   // What was before belongs to the first two bytes; the first block may end between them.
   const auto first_size = (bytes.size() - 1) % block_size + 1;
@@ -121,7 +120,7 @@ namespace ponte::mavlink::detail {
 
 const bool multiplies = false;
 
-std::uint16_t crc_by_multiplication(Bytes /*bytes*/, std::uint16_t /*before*/) { PONTE_ASSERT(false); }
+std::uint16_t crc_by_multiplication(Bytes bytes, std::uint16_t before) { return crc_by_tables(bytes, before); }
 
 }  // namespace ponte::mavlink::detail
 

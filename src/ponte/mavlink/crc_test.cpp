@@ -36,6 +36,17 @@ TEST(Crc, FollowsTheDefinitionAtEveryLength) {
   }
 }
 
+TEST(Crc, WithTheTablesAloneItIsTheSame) {
+  Random random{3};
+  std::vector<std::byte> data(600);
+  random.fill(data);
+  for (std::size_t size = 0; size <= data.size(); ++size) {
+    const auto before = static_cast<std::uint16_t>(random.below(0x10000));
+    const auto part = Bytes{data}.first(size);
+    EXPECT_EQ(crc_of(part, before), detail::crc_by_tables(part, before)) << "at " << size;
+  }
+}
+
 TEST(Crc, GoesOnWhereItStopped) {
   Random random{2};
   std::vector<std::byte> data(50);
