@@ -56,16 +56,18 @@ void Parser::on_datagram(Bytes datagram, FrameSink& sink) {
   consume(datagram, datagram.size(), Ending::end, sink);
 }
 
-/// Decides on the held bytes with the help of those that have just come. Returns the part of `bytes` that is still
-/// needed; if it is not empty, nothing is held any more.
+/// Decides on the held bytes with the help of those that have just come; a short piece is decided on in one go with
+/// them. Returns the part of `bytes` that is still needed; if it is not empty, nothing is held any more.
 Bytes Parser::consume_held(Bytes bytes, FrameSink& sink) {
   while (held_size_ > 0 && !bytes.empty()) {
     const std::size_t old_size = held_size_;
     const auto added = std::min({bytes.size(), held_.size() - old_size, max_frame_size});
     std::copy_n(bytes.begin(), added, held_.begin() + held_size_);
     const auto held = Bytes{held_}.first(old_size + added);
-    const auto done = consume(held, std::max<std::size_t>(old_size, behind_ + 1U), Ending::open, sink);
-    if (done < old_size) {
+    const bool is_all = added == bytes.size();
+    const auto stop = is_all ? held.size() : std::max<std::size_t>(old_size, behind_ + 1U);
+    const auto done = consume(held, stop, Ending::open, sink);
+    if (is_all || done < old_size) {
       keep(held.subspan(done));
       bytes = bytes.subspan(added);
     } else {

@@ -63,7 +63,8 @@ class FrameSink {
 ///   message begins inside it. In a stream the proof must be found within `lookahead` bytes.
 /// - How a stream is cut into pieces makes no difference; only silence between them does.
 ///
-/// Frames that lie wholly within a piece are delivered as views into that piece. It allocates nothing.
+/// Frames that lie wholly within a piece of more than `max_frame_size` bytes are delivered as views into that piece. It
+/// allocates nothing.
 class Parser {
  public:
   /// A frame that stays unfinished for so long is a false start.

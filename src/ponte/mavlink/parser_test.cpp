@@ -180,11 +180,12 @@ TEST(Parser, DeliversAViewIntoThePieceWithoutCopying) {
   Parser parser{testing::dialect};
   Recorder recorder;
   const auto first = Buffer(heartbeat.begin(), heartbeat.begin() + 5);
-  const auto second = Buffer(heartbeat.begin() + 5, heartbeat.end()) + attitude;
+  auto second = Buffer(heartbeat.begin() + 5, heartbeat.end());
+  while (second.size() <= max_frame_size) second = second + attitude;
   parser.on_bytes(start, first, recorder);
   parser.on_bytes(start, second, recorder);
-  EXPECT_THAT(recorder.frames, ElementsAre("HEARTBEAT", "ATTITUDE"));
-  EXPECT_EQ(recorder.last_address, &second[heartbeat.size() - 5]);
+  EXPECT_EQ(recorder.frames.front(), "HEARTBEAT");
+  EXPECT_EQ(recorder.last_address, &second[second.size() - attitude.size()]);
 }
 
 TEST(Parser, DeliversAFrameWithItsLastByteAndNotLater) {
