@@ -46,6 +46,18 @@ void store_field(const FieldInfo& field, std::byte* at, const std::array<T, Size
   for (std::size_t i = 0; i < Size; ++i) store_field(field, at + i * sizeof(T), value[i]);
 }
 
+/// For payloads, which are shorter than what makes a library call worth its while.
+inline void copy_short(Bytes from, std::byte* to) {
+  constexpr std::size_t word = 8;
+  if (from.size() < word) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[i] = from[i];
+    return;
+  }
+  const auto copy_word = [&](std::size_t at) { std::memcpy(to + at, from.data() + at, word); };
+  for (std::size_t at = 0; at + word < from.size(); at += word) copy_word(at);
+  copy_word(from.size() - word);
+}
+
 template <Message M>
 M load_fields(const std::byte* payload) {
   M message;
@@ -71,7 +83,7 @@ template <Message M>
   constexpr std::size_t length = M::info.full_length;
   if (payload.size() >= length) return detail::load_fields<M>(payload.data());
   std::array<std::byte, length> extended{};
-  std::copy(payload.begin(), payload.end(), extended.begin());
+  detail::copy_short(payload, extended.data());
   return detail::load_fields<M>(extended.data());
 }
 
