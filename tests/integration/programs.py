@@ -24,7 +24,7 @@ def program_from(variable: str, name: str | None, default: Path | None) -> Path:
     setting = os.environ.get(variable)
     if setting is None and default is None:
         pytest.fail(f"set {variable} to the folder that holds {name}", pytrace=False)
-    path = Path(setting) if setting else default
+    path = Path(setting).absolute() if setting else default
     assert path is not None
     path = path / name if name else path
     if not (path.is_file() and os.access(path, os.X_OK)):

@@ -12,7 +12,7 @@ import recordings_found
 def test_a_missing_shared_folder_is_one_skipped_parameter(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(recordings_found, "SHARED_FOLDER", tmp_path / "none")
     *own, last = recordings_found.parameters()
-    assert len(own) == 3
+    assert len(own) == 4
     assert [mark.name for mark in last.marks] == ["skip"]
 
 
