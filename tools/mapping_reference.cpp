@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <span>
 
 namespace {
 
@@ -40,12 +41,10 @@ std::string text_to_dli() {
   return text + "\n#16002 Heartbeat Message has only its time stamp.\n\n";
 }
 
-std::string text_from_mavlink() {
-  std::string text =
-      "## What is known: MAVLink to vehicle\n\nRank 0 is the best source; a worse one is listened to when "
-      "the better has been silent for two seconds.\n";
+std::string text_of_rows(std::span<const autopilot::RowText> rows) {
+  std::string text;
   std::string_view message;
-  for (const auto& row : autopilot::telemetry_row_texts()) {
+  for (const auto& row : rows) {
     if (row.message != message) {
       message = row.message;
       text += fmt::format("\n### {}\n\n| fact | from | rule | unit | rank | reference |\n|---|---|---|---|---|---|\n",
@@ -55,6 +54,13 @@ std::string text_from_mavlink() {
                         row.rank, row.reference);
   }
   return text + '\n';
+}
+
+std::string text_from_mavlink() {
+  return "## What is known: MAVLink to vehicle\n\nRank 0 is the best source; a worse one is listened to when "
+         "the better has been silent for two seconds.\n" +
+         text_of_rows(autopilot::telemetry_row_texts()) + "## The same: MAVLink 0.9 to vehicle\n" +
+         text_of_rows(autopilot::telemetry_row_texts_v09());
 }
 
 std::string text_of_modes() {

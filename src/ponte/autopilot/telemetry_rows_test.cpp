@@ -454,6 +454,7 @@ std::ptrdiff_t count_cases(const RowText& row, bool with_value) {
 
 TEST(TelemetryRows, HaveACaseEachAndOneForNothingWhereTheyCanSayNothing) {
   EXPECT_GE(telemetry_row_texts().size(), 60U);
+  EXPECT_GE(telemetry_row_texts_v09().size(), 30U);
   for (const auto& row : telemetry_row_texts()) {
     SCOPED_TRACE(std::string{row.message} + " -> " + std::string{row.target});
     EXPECT_GE(count_cases(row, true), 1) << "no test says what this row should make of a value";
