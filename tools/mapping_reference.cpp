@@ -41,14 +41,14 @@ std::string text_to_dli() {
   return text + "\n#16002 Heartbeat Message has only its time stamp.\n\n";
 }
 
-std::string text_of_rows(std::span<const autopilot::RowText> rows) {
+std::string text_of_rows(std::string_view version, std::span<const autopilot::RowText> rows) {
   std::string text;
   std::string_view message;
   for (const auto& row : rows) {
     if (row.message != message) {
       message = row.message;
-      text += fmt::format("\n### {}\n\n| fact | from | rule | unit | rank | reference |\n|---|---|---|---|---|---|\n",
-                          message);
+      text += fmt::format("\n### {}{}\n\n| fact | from | rule | unit | rank | reference |\n|---|---|---|---|---|---|\n",
+                          version, message);
     }
     text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.target, joined(row.sources), row.rule, row.unit,
                         row.rank, row.reference);
@@ -59,8 +59,8 @@ std::string text_of_rows(std::span<const autopilot::RowText> rows) {
 std::string text_from_mavlink() {
   return "## What is known: MAVLink to vehicle\n\nRank 0 is the best source; a worse one is listened to when "
          "the better has been silent for two seconds.\n" +
-         text_of_rows(autopilot::telemetry_row_texts()) + "## The same: MAVLink 0.9 to vehicle\n" +
-         text_of_rows(autopilot::telemetry_row_texts_v09());
+         text_of_rows("", autopilot::telemetry_row_texts()) + "## The same: MAVLink 0.9 to vehicle\n" +
+         text_of_rows("MAVLink 0.9 ", autopilot::telemetry_row_texts_v09());
 }
 
 std::string text_of_modes() {

@@ -5,13 +5,19 @@
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/v09/attitude.hpp"
 #include "ponte/mavlink/v09/enums.hpp"
+#include "ponte/mavlink/v09/global_position.hpp"
 #include "ponte/mavlink/v09/global_position_int.hpp"
 #include "ponte/mavlink/v09/heartbeat.hpp"
+#include "ponte/mavlink/v09/nav_controller_output.hpp"
+#include "ponte/mavlink/v09/scaled_imu.hpp"
+#include "ponte/mavlink/v09/scaled_pressure.hpp"
 #include "ponte/mavlink/v09/statustext.hpp"
 #include "ponte/mavlink/v09/sys_status.hpp"
+#include "ponte/mavlink/v09/vfr_hud.hpp"
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 namespace ponte::autopilot {
@@ -83,6 +89,38 @@ TEST(V09, TheMonitorLearnsModeStateAndMotion) {
   EXPECT_EQ(state.roll.value(), Radians{0.25});
   EXPECT_EQ(state.altitude_msl.value(), Metres{12.5});
   EXPECT_EQ(state.down_speed.value(), MetresPerSecond{-1.5}) << "its z axis points up";
+}
+
+TEST(V09, TheMonitorLearnsFromTheOtherMessagesToo) {
+  Flight flight;
+  flight.say(then::Heartbeat{.type = then::MAV_FIXED_WING, .autopilot = then::MAV_AUTOPILOT_ARDUPILOTMEGA});
+  flight.say(
+      then::SysStatus{.mode = then::MAV_MODE_AUTO, .nav_mode = then::MAV_NAV_WAYPOINT, .battery_remaining = 1001});
+  flight.say(then::GlobalPosition{.usec = 1, .lat = 45, .lon = -90, .alt = 30, .vx = 1, .vy = 2, .vz = 3});
+  flight.say(then::VfrHud{.airspeed = 14, .throttle = 55, .alt = 31, .climb = -2});
+  flight.say(then::ScaledImu{.usec = 1, .xacc = 1000, .zgyro = -500});
+  flight.say(then::ScaledPressure{.usec = 1, .press_abs = 1000, .temperature = 1500});
+  flight.say(then::NavControllerOutput{.nav_bearing = 90, .target_bearing = 180});
+  const auto& state = flight.monitor.state();
+  EXPECT_FALSE(state.energy_level) << "above 100 %";
+  EXPECT_NEAR(state.latitude.value().value, std::numbers::pi / 4, 1e-12);
+  EXPECT_NEAR(state.longitude.value().value, -std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(state.altitude_msl.value(), Metres{30});
+  EXPECT_EQ(state.down_speed.value(), MetresPerSecond{-3});
+  EXPECT_EQ(state.indicated_airspeed.value(), MetresPerSecond{14});
+  EXPECT_EQ(state.climb_rate.value(), MetresPerSecond{-2});
+  EXPECT_EQ(state.power_level.value(), Percent{55});
+  EXPECT_NEAR(state.body_x_acceleration.value().value, 9.80665, 1e-9);
+  EXPECT_NEAR(state.body_yaw_rate.value().value, -0.5, 1e-9);
+  EXPECT_EQ(state.static_pressure.value(), Pascals{100'000});
+  EXPECT_NEAR(state.air_temperature.value().value, 288.15, 1e-9);
+  EXPECT_NEAR(state.commanded_course.value().value, std::numbers::pi, 1e-9);
+}
+
+TEST(V09, APlaceOfZerosIsNone) {
+  Flight flight;
+  flight.say(then::GlobalPosition{.usec = 1});
+  EXPECT_FALSE(flight.monitor.state().latitude);
 }
 
 TEST(V09, ATextBecomesAnAlert) {
