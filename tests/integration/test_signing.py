@@ -241,6 +241,7 @@ def test_no_error_repeats_what_the_key_file_holds(ponte: Path, key_file: Path) -
     [
         ["--mavlink", "2-signed-only"],
         ["--unsigned", "all"],
+        ["--mavlink", "0.9", "--signing-key", "KEY"],
         ["--mavlink", "1", "--signing-key", "KEY"],
         ["--mavlink", "2-signed-only", "--signing-key", "KEY", "--unsigned", "all"],
         ["--signing-key", "KEY", "--unsigned", "NO_SUCH_MESSAGE"],

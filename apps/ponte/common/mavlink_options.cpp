@@ -81,7 +81,8 @@ mavlink::LinkPolicy link_policy_from(const MavlinkOptions& options) {
     throw UsageError{fmt::format("--mavlink {}: expected --signing-key FILE too", signed_only)};
   if (!has_key && !options.unsigned_frames.empty())
     throw UsageError{"--unsigned: expected --signing-key FILE too, as without a key every frame is accepted"};
-  if (has_key && options.version == "1") throw UsageError{"--mavlink 1: cannot be signed; expected 2 or 2-signed-only"};
+  if (has_key && version_from(options) != mavlink::Version::v2)
+    throw UsageError{fmt::format("--mavlink {}: cannot be signed; expected 2 or 2-signed-only", options.version)};
 
   const auto& wish = options.unsigned_frames;
   if (is_signed_only && (wish == "all" || wish == "until-signed"))
