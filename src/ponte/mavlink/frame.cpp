@@ -49,19 +49,24 @@ Bytes readable_payload(const FrameView& frame, const MessageInfo& message) {
 }
 
 std::size_t find_start(Bytes bytes) {
+  const auto size = bytes.size();
   std::size_t at = 0;
-  for (; at + sizeof(Block) <= bytes.size(); at += sizeof(Block)) {
+  for (; at + sizeof(Block) <= size; at += sizeof(Block)) {
     const auto halves = starts_in<std::array<std::uint64_t, 2>, Block>(&bytes[at]);
     if (halves[0] != 0) return at + first_marked(halves[0]);
     if (halves[1] != 0) return at + sizeof(Half) + first_marked(halves[1]);
   }
-  if (at + sizeof(Half) <= bytes.size()) {
+  if (size < sizeof(Half)) {
+    while (at < size && !begins_frame(bytes[at])) ++at;
+    return at;
+  }
+  // The last half may begin among bytes that have been looked at: no start is there.
+  for (; at < size; at += sizeof(Half)) {
+    at = std::min(at, size - sizeof(Half));
     const auto starts = starts_in<std::uint64_t, Half>(&bytes[at]);
     if (starts != 0) return at + first_marked(starts);
-    at += sizeof(Half);
   }
-  while (at < bytes.size() && !begins_frame(bytes[at])) ++at;
-  return at;
+  return size;
 }
 
 Result<std::size_t, WriteError> write_frame(const FrameHeader& header, const MessageInfo& message, Bytes payload,

@@ -29,6 +29,7 @@ inline constexpr std::byte start_v1{0xFE};
 inline constexpr std::byte start_v2{0xFD};
 inline constexpr std::size_t signature_size = 13;  ///< link id, 48-bit time stamp, 6 bytes of hash
 inline constexpr std::size_t max_payload_size = 255;
+inline constexpr std::size_t min_frame_size = 8;    ///< before MAVLink 2, without payload
 inline constexpr std::size_t max_frame_size = 280;  ///< a signed MAVLink 2 frame with the longest payload
 
 /// Bytes before the payload, start byte included.

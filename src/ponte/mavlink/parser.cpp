@@ -14,11 +14,10 @@ bool has_expected_length(const FrameView& frame, const MessageInfo& message) {
   return frame.version == Version::v2 ? size <= message.full_length : size == message.base_length;
 }
 
-/// How many more bytes of the frame that begins at the first byte of `input` decide nothing.
-std::uint16_t bytes_without_news(Bytes input) {
-  const std::size_t telling = input.empty() || input[0] != start_v2 ? 2 : 3;  // length, flags
-  const auto needed = input.size() < telling ? telling - input.size() : missing_bytes(input);
-  return static_cast<std::uint16_t>(needed - 1);
+/// How many more bytes have to come until more is known of the frame that begins at the first byte of `input`.
+std::uint16_t bytes_until_news(Bytes input) {
+  const std::size_t telling = input[0] != start_v2 ? 2 : 3;  // length, flags
+  return static_cast<std::uint16_t>(input.size() < telling ? telling - input.size() : missing_bytes(input));
 }
 
 }  // namespace
@@ -26,20 +25,16 @@ std::uint16_t bytes_without_news(Bytes input) {
 void Parser::decide(Timestamp now, Bytes bytes, FrameSink& sink) {
   const auto rest = consume_held(bytes, sink);
   if (!rest.empty()) keep(rest.subspan(consume(rest, rest.size(), Ending::open, sink)));
-  deadline_ = never;
-  patience_ = 0;
-  if (!is_unfinished_) return;
-  deadline_ = now + silence_limit;
-  // Where bytes are kept behind the present position, another frame may begin with them.
-  const auto held = Bytes{held_}.first(held_size_);
-  patience_ = std::min(bytes_without_news(held), bytes_without_news(held.subspan(behind_)));
+  const bool is_unfinished = news_in_ > 0;
+  deadline_ = is_unfinished ? now + silence_limit : never;
+  quiet_size_ = static_cast<std::uint16_t>(is_unfinished ? held_size_ + news_in_ - 1 : 0);
 }
 
 void Parser::give_up(FrameSink& sink) {
   const auto held = Bytes{held_}.first(held_size_);
   keep(held.subspan(consume(held, held.size(), Ending::silence, sink)));
   deadline_ = never;
-  patience_ = 0;
+  quiet_size_ = 0;
 }
 
 std::size_t Parser::bytes_needed() const { return missing_bytes(Bytes{held_}.first(held_size_).subspan(behind_)); }
@@ -48,7 +43,7 @@ void Parser::finish(FrameSink& sink) {
   if (held_size_ > 0) consume(Bytes{held_}.first(held_size_), held_size_, Ending::end, sink);
   held_size_ = 0;
   deadline_ = never;
-  patience_ = 0;
+  quiet_size_ = 0;
 }
 
 void Parser::on_datagram(Bytes datagram, FrameSink& sink) {
@@ -78,6 +73,30 @@ Bytes Parser::consume_held(Bytes bytes, FrameSink& sink) {
   return bytes;
 }
 
+// This and `deliver` are done for every frame.
+[[gnu::always_inline]] inline Parser::Verdict Parser::judge_known(const FrameView& frame,
+                                                                  const MessageInfo& message) const {
+  if (!checksum_matches(frame, message.crc_extra)) return {Claim::refuted, SkipReason::checksum};
+  // A newer dialect may have extended the message, so an unexpected length alone is no objection.
+  const bool is_expected = has_expected_length(frame, message);
+  if (is_expected && !frame.is_signed()) return {Claim::confirmed, {}};
+  const auto doubtful = is_expected ? frame.signature() : frame.whole.subspan(1);
+  return {holds_frame(doubtful) ? Claim::refuted : Claim::confirmed, SkipReason::truncated};
+}
+
+/// Delivers a frame whose first `shared` bytes belong to the one before too.
+[[gnu::always_inline]] inline void Parser::deliver(const FrameView& frame, const MessageInfo* message,
+                                                   std::size_t shared, FrameSink& sink) {
+  if (shared > 0) sink.on_overlap(shared);
+  sink.on_frame(frame, message);
+  const auto size = frame.whole.size();
+  ++counters_.frames;
+  if (message == nullptr) ++counters_.unknown_frames;
+  if (shared > 0) ++counters_.overlaps;
+  counters_.bytes += size - shared;
+  behind_ = static_cast<std::uint16_t>(size);
+}
+
 /// Decides on frames and skipped bytes of `input`, whose first `behind_` bytes are decided on already, until `stop` is
 /// reached, or until a decision needs bytes that are not there. Returns the number of bytes that are not needed any
 /// more, which exceeds `stop` if a frame does.
@@ -96,7 +115,7 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
       continue;
     }
     if (verdict.claim != Claim::refuted) {
-      is_unfinished_ = verdict.claim == Claim::needs_bytes;
+      if (!frame) news_in_ = bytes_until_news(rest);
       return at - behind_;
     }
 
@@ -104,8 +123,10 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
     if (behind_ > 0) {
       const std::size_t shared = behind_;
       const auto overlapping = parse_frame(input.subspan(at - shared));
-      is_unfinished_ = !overlapping;
-      if (is_unfinished_) return at - shared;
+      if (!overlapping) {
+        news_in_ = bytes_until_news(input.subspan(at - shared));
+        return at - shared;
+      }
       deliver(*overlapping, find_message(*dialect_, *overlapping), shared, sink);
       at += overlapping->whole.size() - shared;
       continue;
@@ -117,25 +138,13 @@ std::size_t Parser::consume(Bytes input, std::size_t stop, Ending ending, FrameS
   // What follows the last frame is not known yet. Of its bytes, those are enough that may begin another one.
   if (ending != Ending::open) behind_ = 0;
   look_back(input, at, ending);
-  is_unfinished_ = behind_ > 0;
+  news_in_ = behind_ > 0 ? 1 : 0;
   return at - behind_;
 }
 
 void Parser::keep(Bytes tail) {
   std::memmove(held_.data(), tail.data(), tail.size());  // the tail may be a part of the held bytes
   held_size_ = static_cast<std::uint16_t>(tail.size());
-}
-
-/// Delivers a frame whose first `shared` bytes belong to the one before too.
-void Parser::deliver(const FrameView& frame, const MessageInfo* message, std::size_t shared, FrameSink& sink) {
-  if (shared > 0) sink.on_overlap(shared);
-  sink.on_frame(frame, message);
-  const auto size = frame.whole.size();
-  ++counters_.frames;
-  if (message == nullptr) ++counters_.unknown_frames;
-  if (shared > 0) ++counters_.overlaps;
-  counters_.bytes += size - shared;
-  behind_ = static_cast<std::uint16_t>(size);
 }
 
 void Parser::skip(Bytes run, SkipReason reason, FrameSink& sink) {
@@ -171,20 +180,11 @@ Parser::Verdict Parser::judge_error(FrameError error, Ending ending) {
   return {ending == Ending::open ? Claim::needs_bytes : Claim::refuted, SkipReason::truncated};
 }
 
-Parser::Verdict Parser::judge_known(const FrameView& frame, const MessageInfo& message) const {
-  if (!checksum_matches(frame, message.crc_extra)) return {Claim::refuted, SkipReason::checksum};
-  // A newer dialect may have extended the message, so an unexpected length alone is no objection.
-  const bool is_expected = has_expected_length(frame, message);
-  if (is_expected && !frame.is_signed()) return {Claim::confirmed, {}};
-  const auto doubtful = is_expected ? frame.signature() : frame.whole.subspan(1);
-  return {holds_frame(doubtful) ? Claim::refuted : Claim::confirmed, SkipReason::truncated};
-}
-
 /// Whether a good frame of a known message lies wholly inside `place`.
 bool Parser::holds_frame(Bytes place) const {
-  for (std::size_t at = 0; at < place.size(); ++at) {
-    at += find_start(place.subspan(at));
-    if (at == place.size()) break;
+  if (place.size() < min_frame_size) return false;
+  const auto starts = place.first(place.size() - min_frame_size + 1);
+  for (auto at = find_start(starts); at < starts.size(); at += 1 + find_start(starts.subspan(at + 1))) {
     const auto frame = parse_frame(place.subspan(at));
     if (frame && find_proven(*frame) != nullptr) return true;
   }
@@ -192,9 +192,11 @@ bool Parser::holds_frame(Bytes place) const {
 }
 
 /// Whether the unknown message in the first `size` bytes of `input` is proven to be one. Whatever is decided from some
-/// of the bytes, more bytes would not change; this is what makes the pieces of a stream irrelevant.
+/// of the bytes, more bytes would not change; this is what makes the pieces of a stream irrelevant. While it needs more
+/// of them, `news_in_` tells how many.
 Parser::Claim Parser::judge_unknown(Bytes input, std::size_t size, Ending ending) {
   const auto window = ending == Ending::end ? input : input.first(std::min(input.size(), lookahead));
+  news_in_ = static_cast<std::uint16_t>(lookahead - std::min(window.size(), lookahead));
   auto end = size;
   const auto claim = follow(window, end, ending);
   if (claim == Claim::refuted) return claim;
@@ -210,17 +212,20 @@ Parser::Claim Parser::judge_unknown(Bytes input, std::size_t size, Ending ending
 
 /// Goes from unknown frame to unknown frame, beginning with the one before `end`, to where the first of them is proved
 /// or disproved. Leaves that place in `end`.
-Parser::Claim Parser::follow(Bytes window, std::size_t& end, Ending ending) const {
+Parser::Claim Parser::follow(Bytes window, std::size_t& end, Ending ending) {
   const bool is_full = window.size() == lookahead && ending != Ending::end;
   for (int link = 0; link < chain_limit; ++link) {
     if (end == window.size()) {
       if (ending == Ending::end) return Claim::confirmed;
+      news_in_ = 0;
       return is_full ? Claim::refuted : Claim::needs_successor;
     }
     const auto next = parse_frame(window.subspan(end));
     if (!next) {
       const bool may_become_one = next.error() == FrameError::incomplete && ending == Ending::open && !is_full;
-      return may_become_one ? Claim::needs_bytes : Claim::refuted;
+      if (!may_become_one) return Claim::refuted;
+      news_in_ = std::min(news_in_, bytes_until_news(window.subspan(end)));
+      return Claim::needs_bytes;
     }
     if (const auto* message = find_message(*dialect_, *next); message != nullptr)
       return checksum_matches(*next, message->crc_extra) ? Claim::confirmed : Claim::refuted;
@@ -231,7 +236,7 @@ Parser::Claim Parser::follow(Bytes window, std::size_t& end, Ending ending) cons
 
 /// Refutes if a good frame of a known message begins between `settled` and `end`, and needs bytes if one that begins
 /// there is still unfinished. Moves `settled` as far as no more bytes can change the answer.
-Parser::Claim Parser::look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending) const {
+Parser::Claim Parser::look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending) {
   bool is_settled = true;
   for (auto at = settled; at < end; ++at) {
     at += find_start(window.first(end).subspan(at));
@@ -239,7 +244,10 @@ Parser::Claim Parser::look_inside(Bytes window, std::size_t& settled, std::size_
     if (is_settled) settled = at;
     const auto frame = parse_frame(window.subspan(at));
     if (frame && find_proven(*frame) != nullptr) return Claim::refuted;
-    if (!frame && frame.error() == FrameError::incomplete && ending != Ending::end) is_settled = false;
+    if (!frame && frame.error() == FrameError::incomplete && ending != Ending::end) {
+      is_settled = false;
+      news_in_ = std::min(news_in_, bytes_until_news(window.subspan(at)));
+    }
   }
   if (!is_settled) return Claim::needs_bytes;
   settled = std::max(settled, end);

@@ -80,7 +80,7 @@ class Parser {
   void on_bytes(Timestamp now, Bytes bytes, FrameSink& sink) {
     on_tick(now, sink);
     if (bytes.empty()) return;
-    if (bytes.size() <= patience_)
+    if (held_size_ + bytes.size() <= quiet_size_)
       take(now, bytes);
     else
       decide(now, bytes, sink);
@@ -121,7 +121,6 @@ class Parser {
     else
       std::copy(bytes.begin(), bytes.end(), held_.begin() + held_size_);
     held_size_ += static_cast<std::uint16_t>(bytes.size());
-    patience_ -= static_cast<std::uint16_t>(bytes.size());
     deadline_ = now + silence_limit;
   }
 
@@ -138,8 +137,8 @@ class Parser {
   Verdict judge_known(const FrameView& frame, const MessageInfo& message) const;
   bool holds_frame(Bytes place) const;
   Claim judge_unknown(Bytes input, std::size_t size, Ending ending);
-  Claim follow(Bytes window, std::size_t& end, Ending ending) const;
-  Claim look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending) const;
+  Claim follow(Bytes window, std::size_t& end, Ending ending);
+  Claim look_inside(Bytes window, std::size_t& settled, std::size_t end, Ending ending);
 
   static constexpr Timestamp never = Timestamp::max();
 
@@ -149,8 +148,8 @@ class Parser {
   // It spares the bytes inside one unknown frame after the other from being examined again and again.
   std::uint64_t searched_until_{};
   Timestamp deadline_{never};
-  bool is_unfinished_{};
-  std::uint16_t patience_{};  // so many more bytes of the unfinished frame tell nothing
+  std::uint16_t news_in_{};     // so many more bytes decide nothing but the last of them; 0: no frame is unfinished
+  std::uint16_t quiet_size_{};  // as long as no more bytes are held, there is nothing to decide
   // The bytes before the present position that belong to a frame whose successor is not known yet. They are still at
   // hand, since another frame may turn out to begin among them.
   std::uint16_t behind_{};

@@ -235,5 +235,22 @@ TEST(ParserInNoiseSeeded, FindsTheSameInWhateverPiecesTheStreamArrives) {
   EXPECT_GT(overlaps, 0U) << "seeds from " << first_seed;
 }
 
+TEST(ParserInNoiseSeeded, DecidesWithEachByteAllThatCanBeDecided) {
+  const auto first_seed = chosen_seed();
+  for (auto seed = first_seed; seed < first_seed + 150; ++seed) {
+    Random random{seed};
+    const auto stream = hostile_stream(random);
+    Parser single{testing::dialect};
+    Finder found;
+    for (std::size_t size = 1; size <= stream.size(); ++size) {
+      single.on_bytes(Timestamp{}, Bytes{stream}.subspan(size - 1, 1), found);
+      Parser at_once{testing::dialect};
+      Finder ignored;
+      at_once.on_bytes(Timestamp{}, Bytes{stream}.first(size), ignored);
+      ASSERT_EQ(single.counters(), at_once.counters()) << "seed " << seed << ", after " << size << " bytes";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ponte::mavlink
