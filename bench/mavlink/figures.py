@@ -22,6 +22,7 @@ CLEAN = ("v1", "v2", "v2_signed")
 CHUNKS = {"1": 1.0, "64": 4.0, "1500": 8.0, "65536": 8.0}  # bytes: how many times as fast as the C headers
 LEAST_OF_CHECKSUM_SPEED = 0.45
 MOST_FOR_NOISE = 2.0
+LEAST_ROUTED_PER_SECOND = 150_000.0
 PEERS = {"C -O2": "peer_mavlink_O2", "C -O3": "peer_mavlink_O3"}
 
 Cases = dict[str, dict[str, Any]]
@@ -75,7 +76,28 @@ def check(measured: dict[str, Cases], frames: int, intact: int) -> None:
         raise SystemExit("ponte has lost intact frames of the noisy corpus")
 
 
+def router(programs: Path) -> Iterable[Figure]:
+    """Over loopback UDP, beside a relay that passes the same datagrams on untouched; bench/router.cpp."""
+    lines = subprocess.run([programs / "bench_router"], check=True, capture_output=True, text=True).stdout.splitlines()
+    value = {figure["case"]: figure["value"] for figure in map(json.loads, lines)}
+    peer = "plain relay"
+    without_loss = "without loss"
+    yield Figure(
+        "mavlink", "route without loss", value[f"router {without_loss}"], "msg/s", peer, value[f"relay {without_loss}"],
+        LEAST_ROUTED_PER_SECOND, at_least=True,
+    )  # fmt: skip
+    for case, unit in {"lost": "messages", "processor": "ns/msg"}.items():
+        yield Figure(
+            "mavlink", f"route 160000/s {case}", value[f"router {case}"], unit, peer, value[f"relay {case}"]
+        )
+
+
 def figures(programs: Path) -> Iterable[Figure]:
+    yield from codec(programs)
+    yield from router(programs)
+
+
+def codec(programs: Path) -> Iterable[Figure]:
     corpus = programs.parent / "mavlink_corpus"
     facts = json.loads((corpus / "corpus.json").read_text())
     measured = all_turns(

@@ -29,7 +29,7 @@ DropReason reason_of(int error) {
 
 /// A flood should find room until the loop comes round. The system may grant less.
 void tune(udp::socket& socket) {
-  static constexpr int receive_buffer_bytes = 1024 * 1024;
+  static constexpr int receive_buffer_bytes = 4 * 1024 * 1024;
   error_code ignored;
   socket.set_option(udp::socket::receive_buffer_size{receive_buffer_bytes}, ignored);
   report_overflow(socket.native_handle());
