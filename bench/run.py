@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
+import platform
 import subprocess
 import sys
 from collections.abc import Callable, Iterable
@@ -18,6 +20,13 @@ from figure import HEADING, Figure
 from mavlink import figures as mavlink
 
 RECORDING = Path("tests/recordings/px4_mission_v2_trimmed.tlog.gz")
+
+
+def machine() -> str:
+    """The processor, how many of it, and the compiler, to be read with the figures."""
+    models = [line.partition(":")[2] for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line]
+    compiler = subprocess.run(["g++", "--version"], check=True, capture_output=True, text=True).stdout.splitlines()[0]
+    return f"{os.cpu_count()} x {(models or [platform.machine()])[0].strip()}, {compiler}"
 
 
 def measured_by(program: Path) -> dict[str, float]:
@@ -40,9 +49,15 @@ def vsm(programs: Path) -> list[Figure]:
     ]
 
 
+def world(programs: Path) -> list[Figure]:
+    value = measured_by(programs / "bench_world")["virtual time"]
+    return [Figure("world", "virtual time", value, "x real", target=1000.0, at_least=True)]
+
+
 BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
     "mavlink": mavlink.figures,
     "vsm": vsm,
+    "world": world,
     "page": page.figures,
     "planning": planning.figures,
 }
@@ -58,7 +73,7 @@ def main() -> int:
         arguments.error(f"no such benchmark: {', '.join(sorted(unknown))}; there is {', '.join(BENCHES)}")
 
     figures: list[Figure] = []
-    print(HEADING)
+    print(machine(), HEADING, sep="\n")
     for name in options.names or BENCHES:
         for figure in BENCHES[name](options.programs):
             figures.append(figure)
