@@ -2,6 +2,7 @@
 #include "ponte/core/random.hpp"
 #include "ponte/mavlink/codec.hpp"
 #include "ponte/mavlink/field_value.hpp"
+#include "ponte/mavlink/route_filter.hpp"
 #include "ponte/mavlink/v09/all.hpp"
 #include "ponte/mavlink/v09/dialect.hpp"
 #include "support/bytes.hpp"
@@ -121,6 +122,31 @@ TEST(MavlinkV09, BothLayoutsOfOpticalFlow) {
   EXPECT_EQ(longer.size(), 8U + 18U);
   EXPECT_EQ(find_message(both, *parse_frame(shorter)), &OpticalFlowShort::info);
   EXPECT_EQ(find_message(both, *parse_frame(longer)), &OpticalFlow::info);
+}
+
+TEST(MavlinkV09, WhatSetsUpOrRebootsAVehicleIsRiskyForARouter) {
+  std::set<std::string_view> risky;
+  for (const auto& action : enum_info::MAV_ACTION.entries) {
+    const auto frame = encoded(Action{.target = 1, .action = static_cast<std::uint8_t>(action.value)}, 0);
+    if (is_risky(*parse_frame(frame))) risky.insert(action.name);
+  }
+  EXPECT_EQ(risky, (std::set<std::string_view>{"MAV_ACTION_SHUTDOWN", "MAV_ACTION_REBOOT", "MAV_ACTION_STORAGE_READ",
+                                               "MAV_ACTION_STORAGE_WRITE", "MAV_ACTION_CALIBRATE_RC",
+                                               "MAV_ACTION_CALIBRATE_GYRO", "MAV_ACTION_CALIBRATE_MAG",
+                                               "MAV_ACTION_CALIBRATE_ACC", "MAV_ACTION_CALIBRATE_PRESSURE"}));
+}
+
+/// Whatever their payload, and although SERIAL_CONTROL, COMMAND_LONG and the like have their ids in later versions.
+TEST(MavlinkV09, NothingButActionAndPreflightCommandsIsRiskyForARouter) {
+  for (unsigned id = 0; id <= 255; ++id) {
+    if (id == Action::info.id.value) continue;
+    for (unsigned value = 0; value <= 255; ++value) {
+      const Buffer payload(Command::info.full_length, static_cast<std::byte>(value));
+      const FrameView frame{.version = Version::v0_9, .message = MessageId{id}, .payload = payload};
+      const bool is_preflight = id == Command::info.id.value && value >= 241 && value <= 246;
+      ASSERT_EQ(is_risky(frame), is_preflight) << id << " " << value;
+    }
+  }
 }
 
 }  // namespace

@@ -68,7 +68,9 @@ class Route:
         places = [*self.endpoints[:-1], "--untrusted", self.endpoints[-1]] if untrusted else self.endpoints
         options = tuple(option.format(*self.endpoints) for option in options)
         command = [str(ponte), "route", *places, "--json", "--every", "3600", *options]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
         assert self.process.stderr is not None
         for _ in self.endpoints:
             assert self.process.stderr.readline().rstrip().endswith("is up")
@@ -91,6 +93,15 @@ class Route:
                 if other is not peer:
                     other.hear_until(frame)
         return peers
+
+    def command(self, line: str) -> dict[str, Any]:
+        """What it answers to a line."""
+        assert self.process.stdin is not None and self.process.stdout is not None
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
+        answer: dict[str, Any] = json.loads(self.process.stdout.readline())
+        assert (answer.pop("kind"), answer.pop("command")) == ("answer", line)
+        return answer
 
     def end(self) -> list[dict[str, Any]]:
         self.process.terminate()
@@ -215,6 +226,116 @@ def test_stalled_and_killed_peers_keep_nobody_waiting(route: Callable[..., Route
     assert dropped(statistics, "endpoint", "queue_full") > 0
     assert sum(line["kind"] == "link" for line in statistics) == 3
     stalled.close()
+
+
+def test_endpoints_come_and_go_while_others_lose_nothing(route: Callable[..., Route]) -> None:
+    router = route(2, "--commands")
+    vehicle, station = router.join(1, 255)
+    link = talker(1)
+    link.seq = 2
+
+    def fly() -> None:
+        """Ten frames each way, of which none may be missing."""
+        for _ in range(10):
+            frame = bytes(dialect.MAVLink_attitude_message(0, 0.5, 0, 0, 0, 0, 0).pack(link))
+            vehicle.say(frame)
+            link.seq = (link.seq + 1) % 256
+            assert station.hear() == frame
+            asked = bytes(dialect.MAVLink_param_request_list_message(1, 1).pack(talker(255, link.seq)))
+            station.say(asked)
+            assert vehicle.hear() == asked
+
+    for turn in range(5):
+        endpoint = f"tcpin://127.0.0.1:{free_port(socket.SOCK_STREAM)}"
+        number = 3 + turn
+        assert router.command(f"add {endpoint}") == {"number": number, "endpoint": endpoint}
+        fly()
+        late = mavutil.mavlink_connection(endpoint.replace("in://", ":"), dialect="ardupilotmega")
+        heard = None
+        while heard is None:  # until the router knows it
+            fly()
+            heard = late.recv_match(type="ATTITUDE", blocking=True, timeout=0.1)
+        assert heard.roll == 0.5
+        fly()
+        which = str(number) if turn % 2 else endpoint
+        assert router.command(f"remove {which}") == {"number": number, "endpoint": endpoint}
+        late.port.settimeout(HANG_LIMIT_S)
+        while late.port.recv(4096):
+            pass  # and it is closed
+        late.close()
+        fly()
+    listed = router.command("list")["endpoints"]
+    assert [(each["number"], each["endpoint"], each["links"]) for each in listed] == [
+        (index + 1, endpoint, 1) for index, endpoint in enumerate(router.endpoints)
+    ]
+    assert dropped(router.end(), "endpoint", "queue_full") == 0
+
+
+def test_an_endpoint_is_added_with_rules(route: Callable[..., Route]) -> None:
+    router = route(1, "--commands", tcp=True)
+    ports = [free_port(socket.SOCK_DGRAM) for _ in range(2)]
+    for port, rules in zip(ports, ("untrusted", "ATTITUDE:0 HEARTBEAT:1e6"), strict=True):
+        assert "error" not in router.command(f"add udpin://127.0.0.1:{port} {rules}")
+    assert [each["untrusted"] for each in router.command("list")["endpoints"]] == [False, False, True, False]
+    vehicle, stranger, limited = UdpPeer(router.ports[0]), UdpPeer(ports[0]), UdpPeer(ports[1])
+    peers = (vehicle, stranger, limited)
+    for system, peer in enumerate(peers, 1):
+        peer.say(heartbeat(talker(system)))
+        while sum(each["links"] for each in router.command("list")["endpoints"]) < system:
+            pass
+    link = talker(1)
+    link.seq = 10
+    attitude, last = (bytes(message.pack(link)) for message in (
+        dialect.MAVLink_attitude_message(0, 0, 0, 0, 0, 0, 0), dialect.MAVLink_heartbeat_message(2, 3, 81, 0, 4, 3)))  # fmt: skip
+    shell = bytes(dialect.MAVLink_serial_control_message(10, 0, 0, 0, 1, [104] + [0] * 69).pack(link))
+    for frame in (shell, attitude, last):
+        vehicle.say(frame)
+    heard = {peer: list(iter(peer.hear, last)) for peer in (stranger, limited)}
+    assert attitude in heard[stranger] and shell not in heard[stranger]
+    assert shell in heard[limited] and attitude not in heard[limited]
+
+
+def test_bad_commands_are_answered_and_change_nothing(route: Callable[..., Route]) -> None:
+    router = route(2, "--commands")
+    before = router.command("list")
+    for line, reason in (
+        ("add", "expected add ENDPOINT"),
+        ("add nowhere", "expected serial://"),
+        (f"add {router.endpoints[0]}", "Address already in use"),
+        ("add udpin://127.0.0.1:0 trusted", "expected untrusted, or MESSAGE:HZ"),
+        ("remove 3", "there is no endpoint 3"),
+        ("remove udpin://127.0.0.1:1", "is not routed"),
+        ("list all", "expected add ENDPOINT"),
+    ):
+        assert reason in router.command(line)["error"], line
+    assert router.command("list") == before
+    assert router.process.stdin is not None
+    router.process.stdin.close()
+    router.process.stdin = None
+    assert router.process.stderr is not None
+    assert "commands are over" in router.process.stderr.readline()
+    router.join(1, 255)  # routing is not
+
+
+def test_commands_are_answered_in_words_without_json(ponte: Path) -> None:
+    process = subprocess.Popen(
+        [str(ponte), "route", "--commands", "--quiet"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert process.stdin is not None and process.stdout is not None
+    endpoint = f"udpin://127.0.0.1:{free_port(socket.SOCK_DGRAM)}"
+    for line, answer in (
+        (f"# nothing\n\nadd {endpoint} untrusted", f"added 1 {endpoint}"),
+        ("list", f"1 {endpoint} untrusted up, 0 links"),
+        ("remove 1", f"removed 1 {endpoint}"),
+        ("list", "no endpoints"),
+        ("remove 1", "error: there is no endpoint 1"),
+    ):
+        process.stdin.write(line + "\n")
+        process.stdin.flush()
+        assert process.stdout.readline() == answer + "\n"
+    process.terminate()
+    process.communicate(timeout=HANG_LIMIT_S)
+    assert process.returncode == 0
 
 
 def test_mavproxy_and_pymavlink_are_connected_at_once(

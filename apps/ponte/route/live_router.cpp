@@ -23,8 +23,20 @@ std::uint64_t secret_seed() {
 LiveRouter::LiveRouter(transport::Loop& loop, Log log) : loop_{loop}, log_{std::move(log)}, router_{secret_seed()} {}
 LiveRouter::~LiveRouter() = default;
 
-void LiveRouter::add(const transport::Endpoint& endpoint, mavlink::RouteRules rules) {
-  sides_.push_back(std::make_unique<RouteSide>(*this, endpoint, std::move(rules)));
+unsigned LiveRouter::add(const transport::Endpoint& endpoint, mavlink::RouteRules rules) {
+  auto side = std::make_unique<RouteSide>(*this, endpoint, std::move(rules));
+  sides_.emplace(++last_side_, std::move(side));
+  return last_side_;
+}
+
+bool LiveRouter::remove(unsigned number) {
+  const auto found = sides_.find(number);
+  if (found == sides_.end()) return false;
+  found->second->end_all(loop_.now());
+  found->second->log_counters();
+  log_->info("{} is closed", found->second->name());
+  sides_.erase(found);
+  return true;
 }
 
 std::optional<mavlink::RouteLinkId> LiveRouter::open_link(Place place, const mavlink::RouteRules& rules) {
@@ -62,12 +74,12 @@ LiveRouter::Totals LiveRouter::totals() const {
 }
 
 void LiveRouter::print_json() const {
-  for (const auto& side : sides_) side->print_json();
+  for (const auto& [number, side] : sides_) side->print_json();
   std::fflush(stdout);
 }
 
 void LiveRouter::log_counters() const {
-  for (const auto& side : sides_) side->log_counters();
+  for (const auto& [number, side] : sides_) side->log_counters();
 }
 
 }  // namespace ponte::app

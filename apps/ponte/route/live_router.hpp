@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace ponte::app {
 
@@ -22,8 +21,12 @@ class LiveRouter {
   LiveRouter(transport::Loop& loop, Log log);
   ~LiveRouter();
 
-  /// Throws `Failure`.
-  void add(const transport::Endpoint& endpoint, mavlink::RouteRules rules);
+  /// Opens an endpoint and returns its number; they count from 1, and none is used twice. Throws `Failure`.
+  unsigned add(const transport::Endpoint& endpoint, mavlink::RouteRules rules);
+  /// Closes an endpoint. False if there is none of that number.
+  bool remove(unsigned number);
+  /// The endpoints by their numbers.
+  [[nodiscard]] const std::map<unsigned, std::unique_ptr<RouteSide>>& sides() const { return sides_; }
 
   /// Frames in, frames out, and frames that were dropped, of all peers that are there.
   struct Totals {
@@ -56,7 +59,8 @@ class LiveRouter {
   mavlink::Router router_;
   std::map<mavlink::RouteLinkId, Place> places_;
   std::uint16_t last_number_{};
-  std::vector<std::unique_ptr<RouteSide>> sides_;
+  unsigned last_side_{};
+  std::map<unsigned, std::unique_ptr<RouteSide>> sides_;
 };
 
 }  // namespace ponte::app

@@ -3,17 +3,22 @@
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
 #include "common/log.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
+#include "ponte/transport/line_reader.hpp"
 #include "route/live_router.hpp"
+#include "route/route_commands.hpp"
+#include "route/route_limit.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace ponte::app {
 namespace {
@@ -25,6 +30,7 @@ struct Options {
   std::vector<std::string> untrusted;
   std::vector<std::string> limits;
   bool json{};
+  bool commands{};
   double every_s{1};
   LogOptions log;
 };
@@ -36,24 +42,12 @@ struct LimitOption {
 };
 
 LimitOption limit_from(const std::string& text) {
-  const auto refuse = [&] {
+  const auto equals = text.rfind('=', text.rfind(':'));
+  const auto limit = equals == std::string::npos ? std::nullopt : route_limit_from(text.substr(equals + 1));
+  if (!limit)
     throw UsageError{fmt::format(
         "--limit {}: expected ENDPOINT=MESSAGE:HZ, e.g. udpin://0.0.0.0:14550=ATTITUDE:4; HZ 0 sends none", text)};
-  };
-  const auto colon = text.rfind(':');
-  const auto equals = text.rfind('=', colon);
-  if (colon == std::string::npos || equals == std::string::npos) refuse();
-  const auto name = text.substr(equals + 1, colon - equals - 1);
-  const auto& messages = mavlink::autopilots::dialect.messages;
-  const auto message = std::ranges::find(messages, name, &mavlink::MessageInfo::name);
-  if (message == messages.end()) refuse();
-  double hz{};
-  const auto* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, hz);
-  if (error != std::errc{} || rest != end || !(hz == 0 || (hz >= 0.001 && hz <= 1e6))) refuse();
-  LimitOption option{text.substr(0, equals), {.message = (*message)->id}};
-  if (hz > 0) option.limit.pause = std::chrono::duration_cast<Duration>(std::chrono::duration<double>{1 / hz});
-  return option;
+  return {text.substr(0, equals), *limit};
 }
 
 /// The rules of each endpoint, with its limits.
@@ -65,8 +59,8 @@ mavlink::RouteRules rules_for(const std::string& endpoint, bool untrusted, const
 }
 
 void check(const Options& options, const std::vector<LimitOption>& limits) {
-  if (options.endpoints.size() + options.untrusted.size() < 2)
-    throw UsageError{"route: expected two endpoints or more"};
+  if (options.endpoints.size() + options.untrusted.size() < 2 && !options.commands)
+    throw UsageError{"route: expected two endpoints or more, or --commands to add them"};
   for (const auto& option : limits)
     if (std::ranges::find(options.endpoints, option.endpoint) == options.endpoints.end() &&
         std::ranges::find(options.untrusted, option.endpoint) == options.untrusted.end())
@@ -82,10 +76,17 @@ void draw_status(const LiveRouter::Totals& now, const LiveRouter::Totals& before
              rate(now.received, before.received), rate(now.sent, before.sent), now.dropped);
 }
 
+transport::FileDescriptor opened_standard_input() {
+  auto input = transport::standard_input();
+  if (!input) throw Failure{fmt::format("--commands: standard input cannot be read: {}", std::strerror(errno))};
+  return input;
+}
+
 void run(const Options& options) {
   std::vector<LimitOption> limits;
   for (const auto& text : options.limits) limits.push_back(limit_from(text));
   check(options, limits);
+  auto input = options.commands ? opened_standard_input() : transport::FileDescriptor{};
 
   transport::Loop loop;
   const auto log = make_log(options.log);
@@ -95,7 +96,15 @@ void run(const Options& options) {
   for (const auto& text : options.untrusted)
     router.add(endpoint_from("--untrusted", text), rules_for(text, true, limits));
 
-  const bool has_status_line = !options.json && !options.log.quiet && ::isatty(STDERR_FILENO) != 0;
+  RouteCommands commands{router, options.json};
+  std::optional<transport::LineReader> reader;
+  if (options.commands)
+    reader.emplace(
+        loop, std::move(input), [&](std::string_view line) { commands.obey(line); },
+        [&](std::string_view reason) { log->info("commands are over: {}", reason); });
+
+  // It would hide what somebody types.
+  const bool has_status_line = !options.json && !options.commands && !options.log.quiet && ::isatty(STDERR_FILENO) != 0;
   const auto period = std::chrono::duration_cast<Duration>(std::chrono::duration<double>{options.every_s});
   LiveRouter::Totals before;
   transport::Timer timer{loop, [&](Timestamp now) {
@@ -124,6 +133,9 @@ void add_route(CLI::App& app) {
                       "command is passed on");
   command->add_option("--limit", options->limits,
                       "ENDPOINT=MESSAGE:HZ sends at most so many of each sender's messages there");
+  command->add_flag("--commands", options->commands,
+                    "Obey lines of stdin, each answered by a line: add ENDPOINT [untrusted] [MESSAGE:HZ]..., remove "
+                    "ENDPOINT|NUMBER, list");
   command->add_flag("--json", options->json, "Print the statistics of every peer and endpoint as JSON lines");
   command->add_option("--every", options->every_s, "Seconds between two statistics")
       ->check(CLI::Range(0.1, 3600.0))

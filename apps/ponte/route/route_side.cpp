@@ -85,13 +85,18 @@ void RouteSide::on_peer(Timestamp now, PeerId peer, transport::PeerChange change
     } else {
       owner_.log_->warn("{}: left out, there are {} links already", name, mavlink::Router::link_limit);
     }
-  } else if (!has_joined && key == peer && enter(now, peer)) {
-    current_->parser.finish(*this);
-    end(peer);
+  } else if (!has_joined && key == peer) {
+    end(now, peer);
   }
 }
 
-void RouteSide::end(PeerId peer) {
+void RouteSide::end_all(Timestamp now) {
+  while (!peers_.empty()) end(now, peers_.begin()->first);
+}
+
+void RouteSide::end(Timestamp now, PeerId peer) {
+  if (!enter(now, peer)) return;
+  current_->parser.finish(*this);
   const auto found = peers_.find(peer);
   owner_.log_->info("{}: {}", found->second->name, describe(*owner_.router_.counters(found->second->id)));
   owner_.close_link(found->second->id);

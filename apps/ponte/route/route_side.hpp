@@ -21,6 +21,15 @@ class RouteSide final : public transport::LinkHandler, private mavlink::FrameSin
   void on_state(Timestamp now, transport::LinkState state, std::string_view reason) override;
 
   void send(transport::PeerId peer, Bytes frame) { link_->send_to(peer, frame); }
+  /// Passes on what peers have said so far, and tells the router that they are gone: the endpoint is about to be
+  /// closed.
+  void end_all(Timestamp now);
+  [[nodiscard]] const transport::Endpoint& endpoint() const { return endpoint_; }
+  /// The endpoint in the shortest words.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] bool is_untrusted() const { return rules_.untrusted; }
+  [[nodiscard]] transport::LinkState state() const { return link_->state(); }
+  [[nodiscard]] std::size_t peer_count() const { return peers_.size(); }
   void print_json() const;
   void log_counters() const;
 
@@ -39,7 +48,7 @@ class RouteSide final : public transport::LinkHandler, private mavlink::FrameSin
   [[nodiscard]] transport::PeerId key_of(transport::PeerId peer) const;
   /// Makes `peer` the one that is read; false if there was no room for it.
   bool enter(Timestamp now, transport::PeerId peer);
-  void end(transport::PeerId peer);
+  void end(Timestamp now, transport::PeerId peer);
   void wait_for_silence();
 
   LiveRouter& owner_;

@@ -12,7 +12,9 @@ namespace ponte::mavlink {
 
 /// Whether a message gives power over a vehicle beyond flying it: a shell (SERIAL_CONTROL), its files
 /// (FILE_TRANSFER_PROTOCOL), its key (SETUP_SIGNING), or a command from MAV_CMD_PREFLIGHT_CALIBRATION to
-/// MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN.
+/// MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN. In MAVLink 0.9, where those ids are other messages: COMMAND with such a command,
+/// and ACTION where it means the same, which is SHUTDOWN, REBOOT, STORAGE_READ and _WRITE, and CALIBRATE_RC to
+/// CALIBRATE_PRESSURE.
 [[nodiscard]] bool is_risky(const FrameView& frame);
 
 }  // namespace ponte::mavlink
