@@ -79,6 +79,15 @@ def recorded(name: str, records: int) -> bytes:
     return tlog.packed((each.time_us, each.frame) for each, _ in zip(tlog.read_records(path), range(records)))
 
 
+def flight(name: str, size: int) -> bytes:
+    """The first frame of each message of each sender of a recording, as far as there is room."""
+    kinds: dict[bytes, bytes] = {}
+    for record in tlog.read_records(REPOSITORY / "tests" / "recordings" / name):
+        frame = record.frame
+        kinds.setdefault(frame[5:10] if frame[0] == 0xFD else frame[3:6], frame)
+    return b"".join(kinds.values())[:size]
+
+
 def text(kind: int, path: str) -> bytes:
     return bytes((kind, 0)) + (REPOSITORY / path).read_bytes()
 
@@ -106,6 +115,9 @@ def corpus() -> dict[str, bytes]:
         "tlog_reader/repaired_and_damaged": REPAIRED + log[:100] + b"lost" + log[100:] + log[:60],
         "tlog_reader/ardupilot": RAW + recorded("ap_mission_v2_trimmed.tlog.gz", 40),
         "tlog_reader/px4": RAW + recorded("px4_mission_v2_trimmed.tlog.gz", 40),
+        "vsm_bridge/two_versions": bytes(range(0, 256, 16)) + b"".join([*second, *old[:2], *second[1:3]]),
+        "vsm_bridge/ardupilot": bytes((127, 200) * 8) + flight("ap_mission_v2_trimmed.tlog.gz", 6000),
+        "vsm_bridge/px4": bytes((127, 200) * 8) + flight("px4_mission_v2_trimmed.tlog.gz", 6000),
         "definition_readers/dli": text(0, "definitions/dli/data_link_transition.toml"),
         "definition_readers/mavlink_additions": text(1, "definitions/mavlink/additions.xml"),
         "definition_readers/mavlink_dialect": text(1, "examples/lamps.xml").replace(b"  <include>minimal.xml</include>\n", b""),
