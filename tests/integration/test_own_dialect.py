@@ -9,6 +9,8 @@ import pytest
 from programs import parse_json, run
 from pymavlink.dialects.v20 import ardupilotmega
 from pymavlink.generator.mavcrc import x25crc
+from vsm_bench import Udp
+from web_client import Server
 
 OWN_XML = """<mavlink>
   <include>minimal.xml</include>
@@ -96,7 +98,43 @@ def test_translate_does_not_take_an_own_message_for_one_it_knows(ponte: Path, ow
     assert inertial_states(lamp_frame(ATTITUDE, 1), "--dialect", own_xml) == 0
 
 
-@pytest.mark.parametrize("command", ["inspect", "translate"])
+def test_the_page_of_the_vsm_knows_the_messages_of_the_file(ponte: Path, own_xml: Path) -> None:
+    link = ardupilotmega.MAVLink(None, srcSystem=1, srcComponent=1)
+    heartbeat = bytes(ardupilotmega.MAVLink_heartbeat_message(2, 3, 81, 4, 3, 3).pack(link))
+    with Server(ponte, "--dialect", str(own_xml)) as server, server.stream() as stream:
+        listed = server.ask("GET", "/api/v1/catalogue").json["mavlink"]
+        fields = {message["name"]: message["fields"] for message in listed["messages"]}
+        assert "ATTITUDE" in fields
+        assert {field["name"]: field.get("unit") for field in fields["LAMP"]} == {"heat": "degC", "state": None}
+        assert listed["enums"]["LIGHT"]["labels"] == {"1": "LIGHT_ON"}
+        carrier = Udp()
+        assert server.ask("POST", "/api/v1/vehicle-links", {"endpoint": carrier.endpoint}).status == 201
+        stream.watch("14:40:00:01", traffic=True)
+        heard = None
+        while heard is None:
+            carrier.send(heartbeat)
+            carrier.send(lamp_frame(LAMP, 1))
+            rows = stream.next("traffic")["mavlink"]
+            heard = next((row["last"] for row in rows if row["last"]["id"] == LAMP), None)
+    assert (heard["name"], heard["fields"]) == ("LAMP", {"state": 1, "heat": 41.5})
+
+
+def test_the_vsm_replays_own_messages_and_takes_none_for_one_it_knows(
+    ponte: Path, own_xml: Path, tmp_path: Path
+) -> None:
+    own_xml.write_text(OWN_XML.format(id=ATTITUDE))
+    link = ardupilotmega.MAVLink(None, srcSystem=1, srcComponent=1)
+    heartbeat = bytes(ardupilotmega.MAVLink_heartbeat_message(2, 3, 81, 4, 3, 3).pack(link))
+    log = write_tlog(tmp_path / "log", heartbeat, lamp_frame(ATTITUDE, 1))
+    done = run([ponte, "vsm", "--vehicle", f"file://{log}?speed=0", "--json", "--dialect", own_xml])
+    assert done.returncode == 0, done.stderr
+    assert "2 frames" in done.stderr
+    assert 4000 not in {parse_json(line)["number"] for line in done.stdout.splitlines()}
+    without = run([ponte, "vsm", "--vehicle", f"file://{log}?speed=0", "--json"])
+    assert "1 frames" in without.stderr  # the other has the wrong checksum for an ATTITUDE
+
+
+@pytest.mark.parametrize("command", ["inspect", "translate", "vsm"])
 @pytest.mark.parametrize(
     "old, by, expected",
     [
@@ -109,7 +147,8 @@ def test_bad_xml_is_refused_with_file_and_line(
     ponte: Path, own_xml: Path, command: str, old: str, by: str, expected: str
 ) -> None:
     own_xml.write_text(OWN_XML.format(id=LAMP).replace(old, by))
-    done = run([ponte, command, own_xml, "--dialect", own_xml])
+    source = ["--vehicle", "udpin://127.0.0.1:0"] if command == "vsm" else [own_xml]
+    done = run([ponte, command, *source, "--dialect", own_xml])
     assert done.returncode == 1
     assert done.stderr.startswith(expected.format(file=own_xml))
     assert len(done.stderr.splitlines()) == 1

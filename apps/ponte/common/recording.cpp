@@ -2,15 +2,14 @@
 
 #include "common/failure.hpp"
 #include "common/load_file.hpp"
-#include "ponte/autopilot/dialect.hpp"
 
 #include <fmt/format.h>
 
 namespace ponte::app {
 
-Recording::Recording(const std::string& path) {
+Recording::Recording(const std::string& path, const mavlink::Dialect& dialect) {
   const auto file = load_file(path);
-  read_capture(file.bytes, autopilot::dialect, *this);
+  read_capture(file.bytes, dialect, *this);
   if (first_damage_.empty()) first_damage_ = file.damage;
   if (entries_.empty())
     throw Failure{fmt::format("{}: no MAVLink frame in {} bytes{}{}", path, file.bytes.size(),

@@ -12,7 +12,7 @@ namespace ponte::app {
 class Recording final : private CaptureSink {
  public:
   /// Throws `Failure` when the file cannot be read, has no frames, or no times.
-  explicit Recording(const std::string& path);
+  Recording(const std::string& path, const mavlink::Dialect& dialect);
 
   /// A source that gives each frame once. The recording outlives it.
   [[nodiscard]] transport::ReplaySource replay() const;

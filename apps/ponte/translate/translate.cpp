@@ -93,8 +93,8 @@ class Translator final : public CaptureSink {
       return;
     }
     // A dialect of the user's may give the id another meaning; then the VSM must not take it for the one it knows.
-    const auto* ours = find_message(autopilot::dialect, frame);
-    if (ours == nullptr || ours->crc_extra != message->crc_extra || ours->name != message->name) return;
+    const auto* ours = autopilot::ours(frame, *message);
+    if (ours == nullptr) return;
     vsm.on_frame(time, frame, *ours, outbox_);
     drain();
   }

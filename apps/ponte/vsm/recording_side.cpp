@@ -16,7 +16,7 @@ RecordingSide::RecordingSide(LiveVsm& owner, vsm::VehicleLinkId id, const transp
     : owner_{owner},
       id_{id},
       name_{transport::to_text(transport::Endpoint{endpoint})},
-      recording_{endpoint.path},
+      recording_{endpoint.path, *owner.config_.dialect},
       vsm_{owner.config_.telemetry},
       replay_{owner.loop_, recording_.replay(), endpoint.speed, *this} {
   if (!recording_.first_damage().empty())
@@ -29,13 +29,14 @@ void RecordingSide::on_datagram(Timestamp now, Bytes bytes, transport::PeerId) {
   const auto frame = mavlink::parse_frame(bytes);
   PONTE_ASSERT(frame.has_value());
   ++frames_;
-  const auto* message = find_message(autopilot::dialect, *frame);
+  const auto* message = find_message(*owner_.config_.dialect, *frame);
   owner_.begin(id_, name_, replay_.record_time(), now);
   owner_.on_decoded(*frame, message);
-  if (message != nullptr && owner_.converts())
-    vsm_.on_frame(replay_.record_time(), *frame, *message, owner_.bridge_.messages);
+  const auto* ours = message != nullptr ? autopilot::ours(*frame, *message) : nullptr;
+  if (ours != nullptr && owner_.converts())
+    vsm_.on_frame(replay_.record_time(), *frame, *ours, owner_.bridge_.messages);
   owner_.on_translated(*frame, message);
-  if (message == nullptr) return;
+  if (ours == nullptr) return;
   Outbox<autopilot::OutgoingFrame> unanswered{1};
   fleet_.on_frame(no_time, only_link, *frame, unanswered, facts_);
   tell_facts();

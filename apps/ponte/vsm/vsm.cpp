@@ -1,5 +1,6 @@
 #include "vsm/vsm.hpp"
 
+#include "common/dialect_option.hpp"
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
 #include "common/json_line.hpp"
@@ -27,6 +28,7 @@ namespace {
 struct Options {
   std::vector<std::string> vehicles;
   std::vector<std::string> dli;
+  std::string dialect;
   VsmOptions vsm;
   MavlinkOptions mavlink;
   bool json{};
@@ -62,6 +64,8 @@ void run(const Options& options) {
   config.fleet.ask_for_streams = !options.listen_only;
   config.fleet.version = version_from(options.mavlink);
   config.link_policy = link_policy_from(options.mavlink);
+  const ChosenDialect dialect{options.dialect};
+  config.dialect = &dialect.dialect();
 
   transport::Loop loop;
   const auto log = make_log(options.log);
@@ -93,6 +97,7 @@ void add_vsm(CLI::App& app) {
                       "Where vehicles are, e.g. serial:///dev/ttyACM0:57600; file:///... replays a recording");
   command->add_option("--dli", options->dli, "Where ground stations are, e.g. udpmulticast://239.255.45.86:45860");
   add_mavlink_options(*command, options->mavlink, "Version that a vehicle is spoken to in until it shows its own");
+  add_dialect_option(*command, options->dialect);
   add_vsm_options(*command, options->vsm);
   command->add_flag("--json", options->json, "Print one JSON object per DLI message on stdout");
   command->add_flag("--every-sample", options->every_sample, "A message for every sample, with unchanged fields too");

@@ -3,7 +3,6 @@
 #include "common/failure.hpp"
 #include "ponte/core/hex.hpp"
 #include "ponte/dli/messages/catalogue.hpp"
-#include "ponte/mavlink/autopilots/dialect.hpp"
 #include "ponte/transport/serial_ports.hpp"
 #include "ports/ports.hpp"
 #include "web/catalogue.hpp"
@@ -88,8 +87,8 @@ BridgeServer::BridgeServer(transport::Loop& loop, LiveVsm& live_vsm, BridgeServe
       router_{access_, files_, *this, host_names(options_.http.address.host), !options_.http.certificate.empty()},
       http_{loop, options_.http, *this},
       timer_{loop, [this](Timestamp now) { on_tick(now); }} {
-  router_.set_catalogue(catalogue_json(mavlink::autopilots::dialect, dli::messages::catalogue,
-                                       live_vsm.config().telemetry.profile));
+  router_.set_catalogue(
+      catalogue_json(*live_vsm.config().dialect, dli::messages::catalogue, live_vsm.config().telemetry.profile));
   if (files_.empty()) log_->warn("the bridge page is not built, so only /api is served; ./run build builds it");
   vsm_.watch(*this);
   on_tick(loop_.now());

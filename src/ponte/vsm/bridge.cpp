@@ -1,7 +1,5 @@
 #include "ponte/vsm/bridge.hpp"
 
-#include "ponte/autopilot/dialect.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -10,11 +8,12 @@ namespace ponte::vsm {
 using autopilot::FleetFact;
 using autopilot::LinkId;
 
-Bridge::Link::Link(LinkId number, mavlink::LinkPolicy policy)
-    : id{number}, parser{autopilot::dialect}, guard{std::move(policy)} {}
+Bridge::Link::Link(LinkId number, const mavlink::Dialect& dialect, mavlink::LinkPolicy policy)
+    : id{number}, parser{dialect}, guard{std::move(policy)} {}
 
 Bridge::Bridge(BridgeConfig config, BridgeListener* listener, mavlink::Signer* signer)
-    : link_policy_{std::move(config.link_policy)},
+    : dialect_{config.dialect},
+      link_policy_{std::move(config.link_policy)},
       fleet_{config.fleet},
       telemetry_{std::move(config.telemetry), config.rates},
       listener_{listener},
@@ -25,7 +24,7 @@ Bridge::Bridge(BridgeConfig config, BridgeListener* listener, mavlink::Signer* s
 void Bridge::on_link_up(Timestamp now, LinkId link) {
   std::erase_if(links_, [&](const auto& entry) { return entry->id == link; });
   if (links_.size() == autopilot::FleetSession::link_limit) return;
-  links_.push_back(std::make_unique<Link>(link, link_policy_));
+  links_.push_back(std::make_unique<Link>(link, *dialect_, link_policy_));
   fleet_.on_link_up(now, link);
 }
 
@@ -62,7 +61,7 @@ void Bridge::on_frame(const mavlink::FrameView& frame, const mavlink::MessageInf
   current_->losses.on_frame(frame.system, frame.component, frame.sequence);
   tick_telemetry(now_, wall_);  // what was due before does not come of this frame
   if (listener_ != nullptr) listener_->on_decoded(frame, message);
-  if (message != nullptr) translate(frame, *message);
+  if (const auto* ours = message != nullptr ? autopilot::ours(frame, *message) : nullptr) translate(frame, *ours);
   if (listener_ != nullptr) listener_->on_translated(frame, message);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/autopilot/fleet_session.hpp"
 #include "ponte/mavlink/link_guard.hpp"
 #include "ponte/mavlink/link_statistics.hpp"
@@ -17,6 +18,8 @@ struct BridgeConfig {
   TelemetryRates rates{live_rates()};
   autopilot::FleetConfig fleet{};
   mavlink::LinkPolicy link_policy{};  ///< of every link, once there is a signer
+  /// Names the messages for the listener, and outlives the bridge. Only those it shares with ours are translated.
+  const mavlink::Dialect* dialect{&autopilot::dialect};
 };
 
 /// Is told of each frame on its way over the bridge: for who sends at once, and for who measures. Must not feed the
@@ -63,7 +66,7 @@ class Bridge final : private mavlink::FrameSink {
   Outbox<autopilot::FleetFact> facts{64};
 
   struct Link {
-    Link(autopilot::LinkId number, mavlink::LinkPolicy policy);
+    Link(autopilot::LinkId number, const mavlink::Dialect& dialect, mavlink::LinkPolicy policy);
 
     autopilot::LinkId id;
     mavlink::Parser parser;
@@ -83,6 +86,7 @@ class Bridge final : private mavlink::FrameSink {
   void tell_facts(WallTime wall);
   void tick_telemetry(Timestamp now, WallTime wall);
 
+  const mavlink::Dialect* dialect_;
   mavlink::LinkPolicy link_policy_;
   autopilot::FleetSession fleet_;
   Telemetry telemetry_;

@@ -34,7 +34,7 @@ constexpr from::Heartbeat copter{.type = from::MAV_TYPE_QUADROTOR, .autopilot = 
 /// A bridge with two links up, and what came out of it.
 class Bench {
  public:
-  Bench() {
+  explicit Bench(const BridgeConfig& config = {}, BridgeListener* listener = nullptr) : bridge{config, listener} {
     bridge.on_link_up(now, radio);
     bridge.on_link_up(now, cable);
   }
@@ -61,7 +61,7 @@ class Bench {
     return result;
   }
 
-  Bridge bridge{{}};
+  Bridge bridge;
   Timestamp now{};
 };
 
@@ -74,6 +74,27 @@ TEST(Bridge, FollowsAVehicleFromItsFirstHeartbeatOn) {
   EXPECT_THAT(bench.messages<to::InertialStates>(), SizeIs(1));
   EXPECT_THAT(bench.facts(), ElementsAre(FleetFact::Kind::appeared));
   EXPECT_FALSE(bench.bridge.frames.empty()) << "it is asked for its streams";
+}
+
+TEST(Bridge, TellsWhatAnotherDialectMakesOfAFrameAndTranslatesOnlyWhatIsOurs) {
+  struct Names : BridgeListener {
+    void on_decoded(const mavlink::FrameView&, const mavlink::MessageInfo* message) override {
+      heard.emplace_back(message == nullptr ? "unknown" : message->name);
+    }
+    void on_translated(const mavlink::FrameView&, const mavlink::MessageInfo*) override {}
+    std::vector<std::string> heard;
+  };
+  auto lamp = from::Attitude::info;  // the same bytes, another meaning
+  lamp.name = "LAMP";
+  const std::array messages{&from::Heartbeat::info, static_cast<const mavlink::MessageInfo*>(&lamp)};
+  const mavlink::Dialect other{"other", messages};
+  Names names;
+  Bench bench{{.dialect = &other}, &names};
+  bench.hear(radio, copter);
+  bench.hear(radio, from::Attitude{.roll = 0.1F});
+  EXPECT_THAT(names.heard, ElementsAre("HEARTBEAT", "LAMP"));
+  EXPECT_THAT(bench.facts(), ElementsAre(FleetFact::Kind::appeared));
+  EXPECT_THAT(bench.messages<to::InertialStates>(), IsEmpty());
 }
 
 TEST(Bridge, ReadsAStreamInPieces) {

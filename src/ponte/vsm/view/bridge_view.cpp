@@ -1,5 +1,6 @@
 #include "ponte/vsm/view/bridge_view.hpp"
 
+#include "ponte/autopilot/dialect.hpp"
 #include "ponte/mavlink/autopilots/statustext.hpp"
 #include "ponte/mavlink/codec.hpp"
 
@@ -54,7 +55,9 @@ void BridgeView::on_crossing(const Crossing& crossing) {
     reject({Side::mavlink, crossing.link_id, "the table is full"}, 1, crossing.frame.whole.size());
   if (const auto link = mavlink_table_.links().find(crossing.link_id); link != mavlink_table_.links().end())
     link->second.revision = revision_;
-  if (mavlink::carries<mavlink::autopilots::Statustext>(crossing.frame)) read_status_text(crossing);
+  if (mavlink::carries<mavlink::autopilots::Statustext>(crossing.frame) && crossing.message != nullptr &&
+      autopilot::ours(crossing.frame, *crossing.message) != nullptr)
+    read_status_text(crossing);
 }
 
 void BridgeView::on_clock(Timestamp now, std::span<const OutgoingMessage> messages) {
