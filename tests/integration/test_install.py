@@ -5,14 +5,18 @@ from __future__ import annotations
 import gzip
 import json
 import socket
+import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import mavlink_v09 as v09
 from programs import HANG_LIMIT_S, REPOSITORY, cached, run
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega
 
+EPOCH_2015_S = 1_420_070_400
+RETURN = 3  # of MAV_ACTION
 EXAMPLES = REPOSITORY / "examples"
 RECORDING = REPOSITORY / "tests" / "recordings" / "px4_mission_v2_trimmed.tlog.gz"
 
@@ -105,6 +109,33 @@ def test_on_message_tells_what_pymavlink_sent(example: Callable[[str], Path], tm
     stream.write_bytes(b"noise" + b"".join(bytes(message.pack(link)) for message in sent))
     done = run(["sh", "-c", f"{example('on_message')} < {stream}"])
     assert done.stdout.splitlines() == ["system 7 rolls 0.250 rad", 'says "Init Gyro"', "2 frames"]
+
+
+def test_mavlink_09_sends_a_vehicle_home(example: Callable[[str], Path], tmp_path: Path) -> None:
+    stream = tmp_path / "stream"
+    stream.write_bytes(b"".join(v09.pack("ATTITUDE", 0, roll, 0, 0, 0, 0, 0, system=4) for roll in (0.5, -1.5)))
+    done = run(["sh", "-c", f"{example('mavlink_09')} < {stream}"])
+    home = v09.pack("ACTION", 4, 1, RETURN, system=255, component=190)
+    assert done.stdout == home.hex() + "\n"
+
+
+def test_signed_link_and_pymavlink_judge_each_other(example: Callable[[str], Path], tmp_path: Path) -> None:
+    key = bytes(range(32))
+    (tmp_path / "key").write_text(key.hex())
+    heartbeat = ardupilotmega.MAVLink_heartbeat_message(2, 3, 81, 4, 4, 3)
+    link = own_link()
+    link.signing.secret_key, link.signing.sign_outgoing = key, True
+    link.signing.timestamp = int((time.time() - EPOCH_2015_S) * 1e5)
+    signed = bytes(heartbeat.pack(link))
+    stranger = signed[:-1] + bytes((signed[-1] ^ 1,))
+    (tmp_path / "stream").write_bytes(signed + signed + stranger + bytes(heartbeat.pack(own_link())))
+    done = run(["sh", "-c", f"{example('signed_link')} {tmp_path}/key < {tmp_path}/stream"])
+    *verdicts, own = done.stdout.splitlines()
+    assert verdicts == ["taken", "replayed", "wrong signature", "unsigned"]
+    judge = own_link()
+    judge.signing.secret_key = key
+    (message,) = judge.parse_buffer(bytes.fromhex(own))
+    assert (message.get_type(), message.get_srcSystem()) == ("HEARTBEAT", 255)
 
 
 def test_json_both_ways(example: Callable[[str], Path]) -> None:

@@ -29,14 +29,13 @@ unsigned LiveRouter::add(const transport::Endpoint& endpoint, mavlink::RouteRule
   return last_side_;
 }
 
-bool LiveRouter::remove(unsigned number) {
+void LiveRouter::remove(unsigned number) {
   const auto found = sides_.find(number);
-  if (found == sides_.end()) return false;
+  PONTE_ASSERT(found != sides_.end());
   found->second->end_all(loop_.now());
   found->second->log_counters();
   log_->info("{} is closed", found->second->name());
   sides_.erase(found);
-  return true;
 }
 
 std::optional<mavlink::RouteLinkId> LiveRouter::open_link(Place place, const mavlink::RouteRules& rules) {

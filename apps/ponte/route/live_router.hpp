@@ -23,8 +23,8 @@ class LiveRouter {
 
   /// Opens an endpoint and returns its number; they count from 1, and none is used twice. Throws `Failure`.
   unsigned add(const transport::Endpoint& endpoint, mavlink::RouteRules rules);
-  /// Closes an endpoint. False if there is none of that number.
-  bool remove(unsigned number);
+  /// Closes an endpoint, of which there is one of that number.
+  void remove(unsigned number);
   /// The endpoints by their numbers.
   [[nodiscard]] const std::map<unsigned, std::unique_ptr<RouteSide>>& sides() const { return sides_; }
 

@@ -24,7 +24,8 @@ std::string describe(const mavlink::RouteCounters& counters) {
   for (std::size_t i = 0; i < mavlink::route_drop_count; ++i)
     if (counters.dropped[i] > 0)
       drops.push_back(fmt::format("{} {}", counters.dropped[i], name_of(static_cast<RouteDrop>(i))));
-  return fmt::format("{} frames in, {} out{}", counters.received, counters.sent,
+  const auto repeats = counters.repeated > 0 ? fmt::format(" ({} repeated)", counters.repeated) : std::string{};
+  return fmt::format("{} frames in{}, {} out{}", counters.received, repeats, counters.sent,
                      drops.empty() ? std::string{} : fmt::format("; dropped: {}", fmt::join(drops, ", ")));
 }
 
@@ -129,7 +130,8 @@ void RouteSide::print_json() const {
     json.member("peer", std::string_view{peer->name}).key("systems").begin_array();
     for (const auto system : owner_.router_.systems_on(owner_.loop_.now(), peer->id))
       json.value(unsigned{system.value});
-    json.end_array().member("received", counters.received).member("sent", counters.sent);
+    json.end_array().member("received", counters.received).member("repeated", counters.repeated);
+    json.member("sent", counters.sent);
     const auto& skipped = peer->parser.counters().skipped;
     json.member("skipped_bytes", std::accumulate(skipped.begin(), skipped.end(), std::uint64_t{0}));
     drops(counters.dropped, [](std::size_t i) { return name_of(static_cast<RouteDrop>(i)); });

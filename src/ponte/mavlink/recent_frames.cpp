@@ -23,12 +23,13 @@ std::uint64_t hash_of(Bytes bytes, std::uint64_t seed) {
 
 }  // namespace
 
-bool RecentFrames::came_elsewhere(Timestamp now, std::uint16_t link, Bytes frame) {
+RecentFrames::Arrival RecentFrames::arrive(Timestamp now, std::uint16_t link, Bytes frame) {
   const auto hash = hash_of(frame, seed_);
   auto& entry = entries_[hash % entry_count];
-  if (entry.hash == hash && entry.link != link && now - entry.time <= window) return true;
+  const bool is_known = entry.hash == hash && now - entry.time <= window;
+  if (is_known && entry.link != link) return Arrival::elsewhere;
   entry = {hash, now, link};
-  return false;
+  return is_known ? Arrival::again : Arrival::first;
 }
 
 }  // namespace ponte::mavlink

@@ -17,8 +17,13 @@ class RecentFrames {
   /// The seed should be one that a forger cannot know, so that no frame is made that looks like another.
   explicit RecentFrames(std::uint64_t seed) : seed_{seed}, entries_(entry_count) {}
 
-  /// Whether the very same frame came on another link within the window. Otherwise it has come on this one now.
-  [[nodiscard]] bool came_elsewhere(Timestamp now, std::uint16_t link, Bytes frame);
+  enum class Arrival : std::uint8_t {
+    first,      ///< or the first within the window
+    again,      ///< the very same frame came on this link within the window
+    elsewhere,  ///< the very same frame came on another link within the window
+  };
+  /// A frame comes on a link. That it did is remembered, unless it came elsewhere.
+  [[nodiscard]] Arrival arrive(Timestamp now, std::uint16_t link, Bytes frame);
 
  private:
   static constexpr std::size_t entry_count = 8192;  ///< a power of 2

@@ -91,10 +91,12 @@ std::span<const RouteLinkId> Router::on_frame(Timestamp now, RouteLinkId from, c
 
 /// Only what is passed on is remembered, so that an untrusted link cannot make the same frame of another one a
 /// duplicate; and a duplicate teaches no address, as it comes by a detour.
-std::optional<RouteDrop> Router::refusal_of(Timestamp now, const Link& from, const FrameView& frame) {
+std::optional<RouteDrop> Router::refusal_of(Timestamp now, Link& from, const FrameView& frame) {
   if (frame.message == setup_signing_id) return RouteDrop::setup_signing;
   if (from.untrusted && is_risky(frame)) return RouteDrop::untrusted;
-  if (recent_.came_elsewhere(now, from.id.value, frame.whole)) return RouteDrop::duplicate;
+  const auto arrival = recent_.arrive(now, from.id.value, frame.whole);
+  if (arrival == RecentFrames::Arrival::elsewhere) return RouteDrop::duplicate;
+  if (arrival == RecentFrames::Arrival::again) ++from.counters.repeated;
   return {};
 }
 

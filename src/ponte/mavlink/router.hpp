@@ -47,6 +47,7 @@ inline constexpr std::size_t route_drop_count = 6;
 /// What a link has seen since it was added. Nothing here ever goes down.
 struct RouteCounters {
   std::uint64_t received{};  ///< frames that came from there
+  std::uint64_t repeated{};  ///< of these, the very same as one shortly before: passed on, but many tell of a loop
   std::uint64_t sent{};      ///< frames that went there
   std::array<std::uint64_t, route_drop_count>
       dropped{};  ///< `untrusted` counts both ways, `rate_limit` what would go there
@@ -85,7 +86,7 @@ class Router {
   struct Link;
 
   [[nodiscard]] Link* find(RouteLinkId link) const;
-  [[nodiscard]] std::optional<RouteDrop> refusal_of(Timestamp now, const Link& from, const FrameView& frame);
+  [[nodiscard]] std::optional<RouteDrop> refusal_of(Timestamp now, Link& from, const FrameView& frame);
   [[nodiscard]] static bool admits(Timestamp now, Link& to, const FrameView& frame);
 
   std::vector<std::unique_ptr<Link>> links_;

@@ -167,8 +167,10 @@ TEST(Router, DropsTheSecondCopyOfAFrameThatComesOnTwoLinks) {
   EXPECT_EQ(scene.dropped(b, RouteDrop::duplicate), 1U);
   EXPECT_THAT(scene.router.systems_on(scene.now, b), IsEmpty()) << "a detour is no address";
   EXPECT_THAT(scene.pass(a, frame, &testing::Heartbeat::info), ElementsAre(b, c)) << "the sender may repeat itself";
+  EXPECT_EQ(scene.router.counters(a)->repeated, 1U);
   scene.now += RecentFrames::window + 1ns;
   EXPECT_THAT(scene.pass(b, frame, &testing::Heartbeat::info), ElementsAre(a, c));
+  EXPECT_EQ(scene.router.counters(b)->repeated, 0U);
 }
 
 TEST(Router, WhatAnUntrustedLinkWasRefusedIsNoDuplicateElsewhere) {
