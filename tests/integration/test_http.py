@@ -375,8 +375,8 @@ def test_connections_can_be_encrypted(ponte: Path, certificate: tuple[Path, Path
         assert server.scheme == "https"
         assert server.ask("GET", "/healthz").status == 200
         assert "; Secure" in server.sign_in(WATCH).headers["set-cookie"]
-        with server.stream() as stream:
-            assert stream.next("hello")["role"] == "watch"
+        greeting = server.encrypted_greeting()
+        assert (greeting["kind"], greeting["role"]) == ("hello", "watch")
         with socket.create_connection(("127.0.0.1", server.port), PATIENCE_S) as plain:
             plain.sendall(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n")
             assert b"ok" not in plain.recv(4096)
