@@ -48,8 +48,6 @@ class Channel {
  public:
   Channel(const ChannelConfig& config, std::uint64_t seed) : config_{config}, random_{seed} {}
 
-  /// From then on, be it better or worse.
-  void configure(const ChannelConfig& config) { config_ = config; }
   /// Whatever is sent before that time is lost.
   void cut_until(Timestamp time) { cut_until_ = time; }
 

@@ -31,10 +31,6 @@ class World::Mouth final : public Sender {
     for (Port port = 0; port < world_.inhabitants_[participant_].directions.size(); ++port) send(port, piece);
   }
 
-  void tell(std::string_view text) override {
-    world_.timeline_.happened(world_.now_, world_.inhabitants_[participant_].name, text);
-  }
-
  private:
   World& world_;
   std::size_t participant_;
@@ -67,10 +63,6 @@ void World::add_direction(End from, End to, const ChannelConfig& config) {
   inhabitants_[from.participant].directions.push_back(directions_.size());
   Random seeds{seed_ ^ (directions_.size() + 1) << 32U};
   directions_.push_back({Channel{config, seeds.next()}, from, to});
-}
-
-void World::configure(std::size_t link, const ChannelConfig& config) {
-  for (const auto direction : {2 * link, 2 * link + 1}) directions_.at(direction).channel.configure(config);
 }
 
 void World::cut(std::size_t link, Timestamp until) {

@@ -23,8 +23,6 @@ class Sender {
   virtual ~Sender() = default;
   virtual void send(Port port, Bytes piece) = 0;
   virtual void send_to_all(Bytes piece) = 0;
-  /// Something that happened, for the timeline.
-  virtual void tell(std::string_view text) = 0;
 };
 
 /// Something that lives in a world: an engine with its parsers, and no clock.
@@ -59,7 +57,6 @@ class World {
   /// Both directions alike. The number of the link.
   std::size_t connect(const Participant& one, const Participant& other, const ChannelConfig& config);
 
-  void configure(std::size_t link, const ChannelConfig& config);
   /// Nothing that is sent on the link from now on, until then, arrives.
   void cut(std::size_t link, Timestamp until);
 
@@ -76,8 +73,6 @@ class World {
   [[nodiscard]] bool run_until(const std::function<bool()>& condition, Duration limit);
 
   [[nodiscard]] Timestamp now() const { return now_; }
-  [[nodiscard]] std::uint64_t seed() const { return seed_; }
-  [[nodiscard]] Timeline& timeline() { return timeline_; }
   /// Of both directions together.
   [[nodiscard]] ChannelCounters counters(std::size_t link) const;
   /// Of every piece that was sent, with its time and its sender: two worlds with the same digest were the same.
