@@ -3,6 +3,7 @@
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/gps_global_origin.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
+#include "ponte/mavlink/autopilots/mission_item_reached.hpp"
 #include "ponte/mavlink/autopilots/request_data_stream.hpp"
 #include "ponte/mavlink/autopilots/set_mode.hpp"
 #include "ponte/mavlink/autopilots/statustext.hpp"
@@ -32,24 +33,25 @@ Autopilot::Autopilot(const VehicleConfig& config, Timestamp boot)
     : config_{config},
       boot_{boot},
       sensors_{config.seed, config.noise},
-      flight_{config.fly_square, config.square},
+      flight_{{config.personality, config.type},
+              default_flight_settings({config.personality, config.type}),
+              config.fly_square,
+              config.square},
       sender_{config.version, config.system, config.component},
       rates_{telemetry_streams(config.version)} {
   snapshot_.system = config.system;
 }
 
-void Autopilot::steer(Copter& copter, Outbox<Frame>& out) {
-  const bool was_armed = copter.state().armed;
-  flight_.step(copter);
-  if (was_armed && !copter.state().armed) say(messages::MAV_SEVERITY_INFO, "Disarming motors", out);
+void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out) {
+  flight_.step(now - boot_, airframe, facts_);
+  tell_facts(out);
 }
 
-void Autopilot::report(Timestamp now, std::uint64_t step, const Copter& copter, Outbox<Frame>& out) {
+void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airframe, Outbox<Frame>& out) {
   snapshot_.since_boot = now - boot_;
-  update(copter, step);
+  update(airframe, step);
   tell_progress(out);
-  if (!speaks_v09() && snapshot_.since_boot > Duration{} &&
-      snapshot_.since_boot % time_question_interval == Duration{})
+  if (!speaks_v09() && snapshot_.since_boot > Duration{} && snapshot_.since_boot % time_question_interval == Duration{})
     ask_time(now, out);
 
   for (std::size_t i = 0; i < rows().size(); ++i)
@@ -57,15 +59,16 @@ void Autopilot::report(Timestamp now, std::uint64_t step, const Copter& copter, 
 }
 
 /// What it knows from now on.
-void Autopilot::update(const Copter& copter, std::uint64_t step) {
-  const auto& truth = copter.state();
+void Autopilot::update(const Airframe& airframe, std::uint64_t step) {
+  const auto& truth = airframe.state();
   auto& known = snapshot_;
   known.is_ready = known.since_boot >= config_.ready_after;
   known.armed = truth.armed;
+  known.kind = flight_.kind();
   known.mode = flight_.mode();
   known.landed_state = flight_.landed_state(truth);
   known.readings = sensors_.read(truth, step);
-  known.target = flight_.target(copter);
+  known.target = flight_.target(airframe);
   known.throttle = truth.throttle;
   known.battery = truth.battery;
 
@@ -79,6 +82,7 @@ void Autopilot::update(const Copter& copter, std::uint64_t step) {
                 std::chrono::duration_cast<std::chrono::microseconds>((boot_ - Timestamp{}) + known.since_boot);
 
   known.has_position = known.since_boot >= config_.position_after;
+  flight_.set_has_position(known.has_position);
   if (has_just_passed(config_.position_after)) {
     known.origin = truth.position;
     flight_.set_home(truth.position);
@@ -96,27 +100,27 @@ void Autopilot::tell_progress(Outbox<Frame>& out) {
 }
 
 bool Autopilot::has_just_passed(Duration moment) const {
-  return snapshot_.since_boot >= moment && snapshot_.since_boot - Copter::step_length < moment;
+  return snapshot_.since_boot >= moment && snapshot_.since_boot - Airframe::step_length < moment;
 }
 
-void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out) {
+void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out) {
   if (frame.system == config_.system && frame.component == config_.component) return;  // our own, come back
   if (speaks_v09() || frame.version == mavlink::Version::v0_9) {
-    if (speaks_v09()) on_frame_v09(frame, copter, out);
+    if (speaks_v09()) on_frame_v09(frame, airframe, out);
     return;
   }
   const Requester requester{frame.system, frame.component};
   switch (frame.message.value) {
     case CommandLong::info.id.value: {
       const auto command = mavlink::decode<CommandLong>(frame);
-      if (is_for_us(command.target_system)) on_command(command, requester, copter, out);
+      if (is_for_us(command.target_system)) on_command(command, requester, airframe, out);
       return;
     }
     case messages::SetMode::info.id.value: {
       const auto wish = mavlink::decode<messages::SetMode>(frame);
       if (!is_for_us(wish.target_system)) return;
       // ArduPilot acknowledges it as if its message id were a command.
-      const auto result = set_mode(wish.base_mode, static_cast<float>(wish.custom_mode), copter, out);
+      const auto result = set_mode(wish.base_mode, static_cast<float>(wish.custom_mode), airframe, out);
       acknowledge(messages::SetMode::info.id.value, result, requester, out);
       return;
     }
@@ -144,6 +148,14 @@ void Autopilot::say(std::uint8_t severity, std::string_view text, Outbox<Frame>&
   const bool is_critical = severity <= messages::MAV_SEVERITY_CRITICAL;
   sender_.send(mavlink::v09::Statustext{.severity = static_cast<std::uint8_t>(is_critical ? 255 : 0), .text = text},
                out);
+}
+
+void Autopilot::tell_facts(Outbox<Frame>& out) {
+  facts_.drain([&](const FlightFact& fact) {
+    if (const auto* text = std::get_if<Notice>(&fact)) say(text->severity, text->text.view(), out);
+    if (const auto* done = std::get_if<ItemReached>(&fact); done != nullptr && !speaks_v09())
+      sender_.send(messages::MissionItemReached{.seq = done->item}, out);
+  });
 }
 
 void Autopilot::send_row(mavlink::MessageId id, Outbox<Frame>& out) {

@@ -6,6 +6,7 @@
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/sim/config.hpp"
 #include "ponte/sim/flight.hpp"
+#include "ponte/sim/flight_fact.hpp"
 #include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/message_rates.hpp"
 #include "ponte/sim/telemetry.hpp"
@@ -22,19 +23,20 @@ class Autopilot {
   /// Starts at this time, which is one of a step.
   Autopilot(const VehicleConfig& config, Timestamp boot);
 
-  /// Before the copter's step: what it has to do.
-  void steer(Copter& copter, Outbox<Frame>& out);
-  /// After the copter's step, at the time of the step: what there is to tell. `step` counts the steps since power-on.
-  void report(Timestamp now, std::uint64_t step, const Copter& copter, Outbox<Frame>& out);
+  /// Before the aircraft's step, which leads to `now`: what it has to do.
+  void steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out);
+  /// After the aircraft's step, at the time of the step: what there is to tell. `step` counts the steps since power-on.
+  void report(Timestamp now, std::uint64_t step, const Airframe& airframe, Outbox<Frame>& out);
 
   /// A frame from outside, of a known message and with the right checksum. An autopilot of MAVLink 0.9 understands no
   /// other version, and the others do not understand that one.
-  void on_frame(Timestamp now, const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out);
+  void on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out);
 
   /// It was told to start anew, and has said that it will.
   [[nodiscard]] bool wants_reboot() const { return wants_reboot_; }
 
  private:
+  static constexpr std::size_t most_facts = 32;
   using CommandLong = mavlink::autopilots::CommandLong;
   struct Requester {
     mavlink::SystemId system;
@@ -42,26 +44,27 @@ class Autopilot {
   };
 
   // commands.cpp; the results are of MAV_RESULT.
-  void on_command(const CommandLong& command, Requester requester, Copter& copter, Outbox<Frame>& out);
-  [[nodiscard]] std::uint8_t execute(const CommandLong& command, Copter& copter, Outbox<Frame>& out);
-  [[nodiscard]] std::uint8_t arm_or_disarm(const CommandLong& command, Copter& copter, Outbox<Frame>& out);
-  [[nodiscard]] std::uint8_t take_off(const CommandLong& command, Copter& copter);
-  [[nodiscard]] std::uint8_t set_mode(float base_mode, float custom_mode, Copter& copter, Outbox<Frame>& out);
-  [[nodiscard]] std::uint8_t enter(FlightMode mode, Copter& copter, Outbox<Frame>& out);
+  void on_command(const CommandLong& command, Requester requester, Airframe& airframe, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t execute(const CommandLong& command, Airframe& airframe, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t arm_or_disarm(const CommandLong& command, Airframe& airframe, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t take_off(const CommandLong& command, Airframe& airframe, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t set_mode(float base_mode, float custom_mode, Airframe& airframe, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t enter(FlightMode mode, Airframe& airframe, Outbox<Frame>& out);
   [[nodiscard]] std::uint8_t set_message_interval(const CommandLong& command, Outbox<Frame>& out);
-  [[nodiscard]] std::uint8_t reboot(const CommandLong& command, const Copter& copter);
+  [[nodiscard]] std::uint8_t reboot(const CommandLong& command, const Airframe& airframe);
   void acknowledge(std::uint16_t command, std::uint8_t result, Requester requester, Outbox<Frame>& out);
 
   // commands_v09.cpp
-  void on_frame_v09(const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out);
-  [[nodiscard]] std::uint8_t act(std::uint8_t action, Copter& copter, Outbox<Frame>& out);
+  void on_frame_v09(const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out);
+  [[nodiscard]] std::uint8_t act(std::uint8_t action, Airframe& airframe, Outbox<Frame>& out);
 
   void request_stream(const auto& request);
   void answer_time(Timestamp now, const mavlink::autopilots::Timesync& request, Outbox<Frame>& out);
   void ask_time(Timestamp now, Outbox<Frame>& out);
-  void update(const Copter& copter, std::uint64_t step);
+  void update(const Airframe& airframe, std::uint64_t step);
   void tell_progress(Outbox<Frame>& out);
   void say(std::uint8_t severity, std::string_view text, Outbox<Frame>& out);
+  void tell_facts(Outbox<Frame>& out);
   void send_row(mavlink::MessageId id, Outbox<Frame>& out);
 
   [[nodiscard]] std::span<const TelemetryRow> rows() const { return telemetry_rows(config_.version); }
@@ -73,6 +76,7 @@ class Autopilot {
   Timestamp boot_;
   Sensors sensors_;
   Flight flight_;
+  Outbox<FlightFact> facts_{most_facts};  // of one call of `flight_`
   FrameSender sender_;
   MessageRates rates_;
   Snapshot snapshot_;  // of the last step

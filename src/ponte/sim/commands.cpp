@@ -39,35 +39,36 @@ std::string_view format_to(std::array<char, 50>& buffer, fmt::format_string<Args
 
 }  // namespace
 
-void Autopilot::on_command(const CommandLong& command, Requester requester, Copter& copter, Outbox<Frame>& out) {
-  const auto result = execute(command, copter, out);
+void Autopilot::on_command(const CommandLong& command, Requester requester, Airframe& airframe, Outbox<Frame>& out) {
+  const auto result = execute(command, airframe, out);
   acknowledge(command.command, result, requester, out);
   if (result != messages::MAV_RESULT_ACCEPTED || command.command != messages::MAV_CMD_REQUEST_MESSAGE) return;
   if (const auto row = row_named_by(command.param1)) rows()[*row].send(snapshot_, sender_, out);
 }
 
-std::uint8_t Autopilot::execute(const CommandLong& command, Copter& copter, Outbox<Frame>& out) {
+std::uint8_t Autopilot::execute(const CommandLong& command, Airframe& airframe, Outbox<Frame>& out) {
   switch (command.command) {
-    case messages::MAV_CMD_COMPONENT_ARM_DISARM: return arm_or_disarm(command, copter, out);
-    case messages::MAV_CMD_NAV_TAKEOFF: return take_off(command, copter);
-    case messages::MAV_CMD_NAV_RETURN_TO_LAUNCH: return enter(FlightMode::rtl, copter, out);
-    case messages::MAV_CMD_NAV_LAND: return enter(FlightMode::land, copter, out);
-    case messages::MAV_CMD_DO_SET_MODE: return set_mode(command.param1, command.param2, copter, out);
+    case messages::MAV_CMD_COMPONENT_ARM_DISARM: return arm_or_disarm(command, airframe, out);
+    case messages::MAV_CMD_NAV_TAKEOFF: return take_off(command, airframe, out);
+    case messages::MAV_CMD_NAV_RETURN_TO_LAUNCH: return enter(FlightMode::rtl, airframe, out);
+    case messages::MAV_CMD_NAV_LAND: return enter(FlightMode::land, airframe, out);
+    case messages::MAV_CMD_DO_SET_MODE: return set_mode(command.param1, command.param2, airframe, out);
     case messages::MAV_CMD_SET_MESSAGE_INTERVAL: return set_message_interval(command, out);
     case messages::MAV_CMD_REQUEST_MESSAGE:
       return row_named_by(command.param1) ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
-    case messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: return reboot(command, copter);
+    case messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: return reboot(command, airframe);
     default: return messages::MAV_RESULT_UNSUPPORTED;
   }
 }
 
 /// No parameter makes it skip a check.
-std::uint8_t Autopilot::arm_or_disarm(const CommandLong& command, Copter& copter, Outbox<Frame>& out) {
-  const auto& state = copter.state();
+std::uint8_t Autopilot::arm_or_disarm(const CommandLong& command, Airframe& airframe, Outbox<Frame>& out) {
+  const auto& state = airframe.state();
   if (command.param1 == 0) {
     if (state.airborne) return messages::MAV_RESULT_FAILED;
     if (!state.armed) return messages::MAV_RESULT_ACCEPTED;
-    copter.disarm();
+    airframe.disarm();
+    flight_.on_disarmed();
     say(messages::MAV_SEVERITY_INFO, "Disarming motors", out);
     return messages::MAV_RESULT_ACCEPTED;
   }
@@ -80,40 +81,46 @@ std::uint8_t Autopilot::arm_or_disarm(const CommandLong& command, Copter& copter
   };
   if (!snapshot_.is_ready) return refuse("Arm: System not initialised");
   if (!snapshot_.has_position) return refuse("Arm: Need Position Estimate");
-  const auto mode = flight_.mode();
-  if (mode == FlightMode::automatic || mode == FlightMode::rtl || mode == FlightMode::land) {
+  const auto& mode = flight_mode_info(flight_.kind(), flight_.mode());
+  if (!mode.armable) {
     std::array<char, 50> text{};
-    return refuse(format_to(text, "Arm: {} mode not armable", name_of(mode)));
+    return refuse(format_to(text, "Arm: {} mode not armable", mode.name));
   }
-  copter.arm();
+  airframe.arm();
   say(messages::MAV_SEVERITY_INFO, "Arming motors", out);
   flight_.set_home(state.position);
-  flight_.on_armed(copter);
+  flight_.on_armed(snapshot_.since_boot, airframe, facts_);
+  tell_facts(out);
   snapshot_.home = flight_.home();
   send_row(messages::HomePosition::info.id, out);
   return messages::MAV_RESULT_ACCEPTED;
 }
 
-std::uint8_t Autopilot::take_off(const CommandLong& command, Copter& copter) {
+std::uint8_t Autopilot::take_off(const CommandLong& command, Airframe& airframe, Outbox<Frame>& out) {
   if (!std::isfinite(command.param7)) return messages::MAV_RESULT_DENIED;
-  return flight_.take_off(Metres{command.param7}, copter) ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
+  const bool done = flight_.take_off(Metres{command.param7}, snapshot_.since_boot, airframe, facts_);
+  tell_facts(out);
+  return done ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
 }
 
-std::uint8_t Autopilot::set_mode(float base_mode, float custom_mode, Copter& copter, Outbox<Frame>& out) {
+std::uint8_t Autopilot::set_mode(float base_mode, float custom_mode, Airframe& airframe, Outbox<Frame>& out) {
   const auto flags = whole_number(base_mode, 255);
   if (!flags || (*flags & messages::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) == 0) return messages::MAV_RESULT_DENIED;
   const auto number = whole_number(custom_mode, 255);
-  const auto mode = number ? flight_mode(*number) : std::nullopt;
-  if (mode) return enter(*mode, copter, out);
+  const auto mode = number ? flight_mode(flight_.kind(), *number) : std::nullopt;
+  if (mode) return enter(*mode, airframe, out);
   std::array<char, 50> text{};
   say(messages::MAV_SEVERITY_WARNING, format_to(text, "No such mode {}", custom_mode), out);
   return messages::MAV_RESULT_FAILED;
 }
 
-std::uint8_t Autopilot::enter(FlightMode mode, Copter& copter, Outbox<Frame>& out) {
-  if (flight_.enter(mode, copter)) return messages::MAV_RESULT_ACCEPTED;
+std::uint8_t Autopilot::enter(FlightMode mode, Airframe& airframe, Outbox<Frame>& out) {
+  const bool done = flight_.enter(mode, snapshot_.since_boot, airframe, facts_);
+  tell_facts(out);
+  if (done) return messages::MAV_RESULT_ACCEPTED;
   std::array<char, 50> text{};
-  say(messages::MAV_SEVERITY_WARNING, format_to(text, "Mode change to {} failed: init failed", name_of(mode)), out);
+  const auto name = has_mode(flight_.kind(), mode) ? flight_mode_info(flight_.kind(), mode).name : "it";
+  say(messages::MAV_SEVERITY_WARNING, format_to(text, "Mode change to {} failed: init failed", name), out);
   return messages::MAV_RESULT_FAILED;
 }
 
@@ -141,9 +148,9 @@ std::uint8_t Autopilot::set_message_interval(const CommandLong& command, Outbox<
   return messages::MAV_RESULT_ACCEPTED;
 }
 
-std::uint8_t Autopilot::reboot(const CommandLong& command, const Copter& copter) {
+std::uint8_t Autopilot::reboot(const CommandLong& command, const Airframe& airframe) {
   if (command.param1 != 1) return messages::MAV_RESULT_UNSUPPORTED;
-  if (copter.state().armed) return messages::MAV_RESULT_FAILED;
+  if (airframe.state().armed) return messages::MAV_RESULT_FAILED;
   wants_reboot_ = true;
   return messages::MAV_RESULT_ACCEPTED;
 }

@@ -131,7 +131,7 @@ TEST_F(CommandsTest, ChangesModeByCommand) {
   for (const auto mode : {FlightMode::guided, FlightMode::automatic, FlightMode::loiter, FlightMode::rtl,
                           FlightMode::land, FlightMode::stabilize}) {
     EXPECT_EQ(station_.set_mode(mode), accepted);
-    EXPECT_EQ(this->mode(), static_cast<unsigned>(mode));
+    EXPECT_EQ(this->mode(), flight_mode_info({}, mode).custom_mode);
   }
   EXPECT_EQ(station_.command(messages::MAV_CMD_NAV_RETURN_TO_LAUNCH), accepted);
   EXPECT_EQ(mode(), 6U);

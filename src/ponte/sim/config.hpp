@@ -2,7 +2,9 @@
 
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
+#include "ponte/sim/airframe.hpp"
 #include "ponte/sim/copter.hpp"
+#include "ponte/sim/personality.hpp"
 
 #include <cstdint>
 
@@ -17,6 +19,7 @@ struct SquareConfig {
 
 /// One simulated vehicle. Everything that it does follows from this and from what it receives.
 struct VehicleConfig {
+  Personality personality{Personality::ardupilot};
   mavlink::SystemId system{1};
   mavlink::ComponentId component{1};
   mavlink::Version version{mavlink::Version::v2};  ///< of what it sends; with 1 and 2 it understands both
@@ -30,6 +33,7 @@ struct VehicleConfig {
   Duration fix_after{std::chrono::seconds{5}};
   Duration position_after{std::chrono::seconds{8}};
 
+  AirframeType type{AirframeType::copter};
   CopterConfig copter{};
   bool fly_square{true};  ///< in GUIDED, once it is armed; otherwise it waits for NAV_TAKEOFF, and holds
   SquareConfig square{};

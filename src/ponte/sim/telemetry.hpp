@@ -29,6 +29,7 @@ struct Snapshot {
   bool is_ready{};                ///< the autopilot has started up
   bool has_position{};
   bool armed{};
+  VehicleKind kind{};
   FlightMode mode{};
   LandedState landed_state{};
   Readings readings{};

@@ -43,7 +43,7 @@ messages::Heartbeat heartbeat(const Snapshot& snapshot) {
       .type = messages::MAV_TYPE_QUADROTOR,
       .autopilot = messages::MAV_AUTOPILOT_ARDUPILOTMEGA,
       .base_mode = base_mode(snapshot),
-      .custom_mode = static_cast<std::uint8_t>(snapshot.mode),
+      .custom_mode = flight_mode_info(snapshot.kind, snapshot.mode).custom_mode,
       .system_status = system_status(snapshot),
   };
 }

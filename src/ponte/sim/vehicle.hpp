@@ -36,13 +36,13 @@ class Vehicle {
   [[nodiscard]] Timestamp next_deadline() const { return step_at(steps_ + 1); }
 
   /// What is true at the last step, whatever the sensors say.
-  [[nodiscard]] const CopterState& truth() const { return copter_.state(); }
-  /// The steps that have gone by, `Copter::step_length` each.
+  [[nodiscard]] const AirframeState& truth() const { return copter_.state(); }
+  /// The steps that have gone by, `Airframe::step_length` each.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:
   [[nodiscard]] static Timestamp step_at(std::uint64_t step) {
-    return Timestamp{Copter::step_length * static_cast<std::int64_t>(step)};
+    return Timestamp{Airframe::step_length * static_cast<std::int64_t>(step)};
   }
 
   void step(Outbox<Frame>& out);
