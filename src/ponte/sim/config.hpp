@@ -3,6 +3,7 @@
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/sim/copter.hpp"
+#include "ponte/sim/personality.hpp"
 
 #include <cstdint>
 
@@ -17,6 +18,7 @@ struct SquareConfig {
 
 /// One simulated vehicle. Everything that it does follows from this and from what it receives.
 struct VehicleConfig {
+  Personality personality{Personality::ardupilot};
   mavlink::SystemId system{1};
   mavlink::ComponentId component{1};
   mavlink::Version version{mavlink::Version::v2};  ///< of what it sends; with 1 and 2 it understands both
