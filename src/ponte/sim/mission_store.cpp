@@ -13,8 +13,9 @@ constexpr std::array<std::size_t, plan_types> capacities(Personality personality
 
 }  // namespace
 
-MissionStore::MissionStore(Personality personality) {
-  const auto limits = capacities(personality);
+MissionStore::MissionStore(Personality personality, std::optional<std::size_t> mission_capacity) {
+  auto limits = capacities(personality);
+  limits[0] = mission_capacity.value_or(limits[0]);
   for (std::size_t i = 0; i < plan_types; ++i) {
     plans_[i].capacity = limits[i];
     plans_[i].items.reserve(limits[i]);

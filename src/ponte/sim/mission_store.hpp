@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,8 @@ class MissionStore {
  public:
   using Item = mavlink::autopilots::MissionItemInt;
 
-  explicit MissionStore(Personality personality);
+  /// Missions may have so many items, or as many as this autopilot takes; fences and rally points always that many.
+  explicit MissionStore(Personality personality, std::optional<std::size_t> mission_capacity = std::nullopt);
 
   [[nodiscard]] std::span<const Item> items(PlanType type) const { return plan(type).items; }
   /// The most items that the plan may have.
