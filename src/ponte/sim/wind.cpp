@@ -9,7 +9,7 @@ namespace ponte::sim {
 namespace {
 
 constexpr double dt = std::chrono::duration<double>{Airframe::step_length}.count();
-constexpr double gust_seconds = 3.0;  // after which a gust has mostly gone
+constexpr double gust_seconds = 3.0;                          // after which a gust has mostly gone
 constexpr std::uint64_t wind_stream = 0x5749'4E44'5749'4E44;  // apart from what else is drawn from the seed
 
 }  // namespace
