@@ -186,7 +186,7 @@ void MissionFlight::step(const FlightContext& flight) {
 }
 
 bool MissionFlight::is_done(const FlightContext& flight) {
-  const double above = -flight.offset_to(place_).down;
+  const double above = flight.offset_to(place_).down;
   switch (leg_) {
     case Leg::take_off: return flight.is_plane() ? above > -plane_altitude_within : std::abs(above) < take_off_within;
     case Leg::travel:
