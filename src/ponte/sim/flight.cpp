@@ -43,6 +43,10 @@ bool Flight::enter(FlightMode mode, Duration now, Airframe& airframe, Outbox<Fli
   return true;
 }
 
+void Flight::restart(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  begin(context(now, airframe, facts));
+}
+
 bool Flight::may_enter(FlightMode mode, const FlightContext& flight) const {
   if (!has_mode(kind_, mode)) return false;
   const bool is_offboard = flight.is_px4() && mode == guided;
@@ -226,9 +230,19 @@ void Flight::fly(const FlightContext& flight) {
       if (mission_.wants_return()) change_mode(rtl, flight);
       return;
     case Leg::home: return return_.step(flight);
-    case Leg::none:
-    case Leg::land: return;
+    case Leg::land:
+      if (lands_blindly_ == has_position_) land_here(flight);
+      return;
+    case Leg::none: return;
   }
+}
+
+void Flight::land_here(const FlightContext& flight) {
+  lands_blindly_ = !has_position_;
+  if (has_position_)
+    flight.airframe.land(std::nullopt);
+  else
+    flight.airframe.sink();
 }
 
 void Flight::on_taken_off(const FlightContext& flight) {
