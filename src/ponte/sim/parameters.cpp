@@ -47,6 +47,10 @@ double Parameters::value(std::string_view name) const {
   return values_[*index];
 }
 
+double Parameters::default_value(std::size_t index) const {
+  return to_type(table_[index].default_value, table_[index].type);
+}
+
 void Parameters::set(std::size_t index, double value) {
   PONTE_ASSERT(std::isfinite(value));
   values_[index] = to_type(value, table_[index].type);

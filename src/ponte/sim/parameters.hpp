@@ -34,6 +34,8 @@ class Parameters {
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   [[nodiscard]] const ParameterInfo& info(std::size_t index) const { return table_[index]; }
   [[nodiscard]] double value(std::size_t index) const { return values_[index]; }
+  /// As its type holds it.
+  [[nodiscard]] double default_value(std::size_t index) const;
   /// Of a parameter that this personality has: another name is a mistake of the caller's.
   [[nodiscard]] double value(std::string_view name) const;
 
