@@ -2,10 +2,13 @@
 
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
+#include "ponte/sim/airframe.hpp"
 #include "ponte/sim/copter.hpp"
 #include "ponte/sim/personality.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace ponte::sim {
 
@@ -32,9 +35,12 @@ struct VehicleConfig {
   Duration fix_after{std::chrono::seconds{5}};
   Duration position_after{std::chrono::seconds{8}};
 
+  AirframeType type{AirframeType::copter};
   CopterConfig copter{};
   bool fly_square{true};  ///< in GUIDED, once it is armed; otherwise it waits for NAV_TAKEOFF, and holds
   SquareConfig square{};
+
+  std::optional<std::size_t> mission_items{};  ///< the most of a mission; nothing: as many as the real autopilot takes
 
   std::uint64_t seed{1};
   double noise{1};  ///< of the sensors: 0 none, 1 what good ones have

@@ -18,7 +18,7 @@ class CopterTest : public ::testing::Test {
   void fly(double seconds) {
     for (double t = 0; t < seconds; t += dt) {
       const auto before = copter_.state();
-      copter_.step();
+      copter_.step({.wind = wind_});
       const auto& after = copter_.state();
       fastest_ = std::max(fastest_, horizontal(after.velocity));
       climb_ = std::max(climb_, -after.velocity.down);
@@ -40,6 +40,7 @@ class CopterTest : public ::testing::Test {
   double height() const { return -place().down; }
 
   CopterConfig config_{};
+  NorthEastDown wind_{};
   Copter copter_{config_, start, Radians{}};
   double fastest_{};
   double climb_{};
@@ -110,7 +111,7 @@ TEST_F(CopterTest, StopsWithoutHaste) {
 
 TEST_F(CopterTest, LandsSlowlyAndStands) {
   take_off(25);
-  copter_.land();
+  copter_.land(std::nullopt);
   fly(10);
   EXPECT_NEAR(sink_, config_.descent_rate.value, 0.03);
   while (height() > 2) fly(dt);
@@ -129,7 +130,7 @@ TEST_F(CopterTest, StopsOverGroundBeforeItSinks) {
   take_off(5);
   copter_.fly_to(displaced(copter_.state().position, {500, 0, 0}), MetresPerSecond{8});
   fly(10);
-  copter_.land();
+  copter_.land(std::nullopt);
   while (horizontal(copter_.state().velocity) > 1) {
     EXPECT_NEAR(height(), 5, 0.1);
     fly(dt);

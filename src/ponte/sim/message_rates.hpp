@@ -50,6 +50,8 @@ class MessageRates {
   /// Back to the interval of its stream.
   void reset_interval(std::size_t message, Duration now);
 
+  /// The interval at which it is sent; 0: not at all.
+  [[nodiscard]] Duration interval(std::size_t message) const { return entries_[message].interval; }
   /// Whether the message is to be sent now; asked once per step for each message.
   [[nodiscard]] bool take_due(std::size_t message, Duration now);
 

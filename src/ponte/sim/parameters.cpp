@@ -30,7 +30,8 @@ double to_type(double value, ParameterType type) {
 
 }  // namespace
 
-Parameters::Parameters(Personality personality) : table_{parameter_table(personality)}, values_(table_.size()) {
+Parameters::Parameters(Personality personality, AirframeType type)
+    : table_{parameter_table(personality, type)}, values_(table_.size()) {
   for (std::size_t i = 0; i < table_.size(); ++i) set(i, table_[i].default_value);
 }
 

@@ -41,6 +41,7 @@ struct Snapshot {
   bool is_ready{};                ///< the autopilot has started up
   bool has_position{};
   bool armed{};
+  VehicleKind kind{};
   FlightMode mode{};
   LandedState landed_state{};
   Readings readings{};
@@ -52,7 +53,6 @@ struct Snapshot {
   BatteryState battery{};
   mavlink::SystemId system{};
   MissionProgress mission{};
-  bool follows_setpoints{};  ///< in GUIDED: a computer steers, as in PX4's OFFBOARD
 };
 
 /// One message that the autopilot can send by itself or when it is asked for.

@@ -88,6 +88,9 @@ namespace messages = mavlink::autopilots;
 [[nodiscard]] messages::PositionTargetLocalNed position_target_local(const Snapshot& snapshot);
 [[nodiscard]] messages::EstimatorStatus estimator_status(const Snapshot& snapshot);
 
+/// MAV_TYPE
+[[nodiscard]] std::uint8_t vehicle_type(const Snapshot& snapshot);
+
 inline constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 /// `value` in units of which `per_unit` make one, to the nearest; what does not fit becomes the nearest that does.

@@ -1,5 +1,4 @@
 #include "ponte/mavlink/autopilots/enums.hpp"
-#include "ponte/sim/px4_mode.hpp"
 #include "ponte/sim/telemetry_messages.hpp"
 #include "ponte/sim/telemetry_row.hpp"
 
@@ -11,14 +10,17 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-Px4Mode mode_of(const Snapshot& snapshot) {
-  return px4_mode(snapshot.mode, snapshot.landed_state, snapshot.follows_setpoints);
+std::uint32_t custom_mode(const Snapshot& snapshot) {
+  return flight_mode_info(snapshot.kind, snapshot.mode).custom_mode;
 }
 
-std::uint8_t base_mode(const Snapshot& snapshot, Px4Mode mode) {
+std::uint8_t base_mode(const Snapshot& snapshot) {
+  const auto mode = snapshot.mode;
+  const bool has_pilot = mode == FlightMode::manual || mode == FlightMode::stabilize ||
+                         mode == FlightMode::altitude_hold || mode == FlightMode::position_hold;
   unsigned flags = messages::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | messages::MAV_MODE_FLAG_STABILIZE_ENABLED;
-  flags |= mode == px4::manual ? messages::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
-                               : messages::MAV_MODE_FLAG_AUTO_ENABLED | messages::MAV_MODE_FLAG_GUIDED_ENABLED;
+  flags |= has_pilot ? messages::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
+                     : messages::MAV_MODE_FLAG_AUTO_ENABLED | messages::MAV_MODE_FLAG_GUIDED_ENABLED;
   if (snapshot.armed) flags |= messages::MAV_MODE_FLAG_SAFETY_ARMED;
   return static_cast<std::uint8_t>(flags);
 }
@@ -29,13 +31,14 @@ std::uint8_t system_status(const Snapshot& snapshot) {
   return snapshot.has_position ? messages::MAV_STATE_STANDBY : messages::MAV_STATE_UNINIT;
 }
 
-/// MAV_STANDARD_MODE
-std::uint8_t standard_mode(Px4Mode mode) {
-  if (mode == px4::mission) return messages::MAV_STANDARD_MODE_MISSION;
-  if (mode == px4::rtl) return messages::MAV_STANDARD_MODE_SAFE_RECOVERY;
-  if (mode == px4::land) return messages::MAV_STANDARD_MODE_LAND;
-  if (mode == px4::takeoff) return messages::MAV_STANDARD_MODE_TAKEOFF;
-  return messages::MAV_STANDARD_MODE_NON_STANDARD;
+std::uint8_t standard_mode(FlightMode mode) {
+  switch (mode) {
+    case FlightMode::automatic: return messages::MAV_STANDARD_MODE_MISSION;
+    case FlightMode::rtl: return messages::MAV_STANDARD_MODE_SAFE_RECOVERY;
+    case FlightMode::land: return messages::MAV_STANDARD_MODE_LAND;
+    case FlightMode::take_off: return messages::MAV_STANDARD_MODE_TAKEOFF;
+    default: return messages::MAV_STANDARD_MODE_NON_STANDARD;
+  }
 }
 
 constexpr Rate every(std::int64_t ms) { return {Stream::none, std::chrono::milliseconds{ms}}; }
@@ -76,12 +79,11 @@ static_assert(rows.size() <= MessageRates::capacity);
 std::span<const TelemetryRow> telemetry_rows_px4() { return rows; }
 
 messages::Heartbeat heartbeat_px4(const Snapshot& snapshot) {
-  const auto mode = mode_of(snapshot);
   return {
-      .type = messages::MAV_TYPE_QUADROTOR,
+      .type = vehicle_type(snapshot),
       .autopilot = messages::MAV_AUTOPILOT_PX4,
-      .base_mode = base_mode(snapshot, mode),
-      .custom_mode = custom_mode(mode),
+      .base_mode = base_mode(snapshot),
+      .custom_mode = custom_mode(snapshot),
       .system_status = system_status(snapshot),
   };
 }
@@ -116,10 +118,9 @@ messages::AutopilotVersion autopilot_version_px4(const Snapshot& snapshot) {
 }
 
 messages::CurrentMode current_mode(const Snapshot& snapshot) {
-  const auto mode = mode_of(snapshot);
-  return {.standard_mode = standard_mode(mode),
-          .custom_mode = custom_mode(mode),
-          .intended_custom_mode = custom_mode(mode)};
+  return {.standard_mode = standard_mode(snapshot.mode),
+          .custom_mode = custom_mode(snapshot),
+          .intended_custom_mode = custom_mode(snapshot)};
 }
 
 messages::Altitude altitude(const Snapshot& snapshot) {

@@ -38,12 +38,17 @@ std::uint8_t system_status(const Snapshot& snapshot) {
 
 }  // namespace
 
+std::uint8_t vehicle_type(const Snapshot& snapshot) {
+  const bool is_plane = snapshot.kind.type == AirframeType::plane;
+  return is_plane ? messages::MAV_TYPE_FIXED_WING : messages::MAV_TYPE_QUADROTOR;
+}
+
 messages::Heartbeat heartbeat(const Snapshot& snapshot) {
   return {
-      .type = messages::MAV_TYPE_QUADROTOR,
+      .type = vehicle_type(snapshot),
       .autopilot = messages::MAV_AUTOPILOT_ARDUPILOTMEGA,
       .base_mode = base_mode(snapshot),
-      .custom_mode = static_cast<std::uint8_t>(snapshot.mode),
+      .custom_mode = flight_mode_info(snapshot.kind, snapshot.mode).custom_mode,
       .system_status = system_status(snapshot),
   };
 }
@@ -122,7 +127,9 @@ messages::MissionCurrent mission_current(const Snapshot& snapshot) {
       .seq = mission.current,
       .total = static_cast<std::uint16_t>(mission.items == 0 ? 0 : mission.items - 1),
       .mission_state = mission.state,
-      .mission_mode = static_cast<std::uint8_t>(mission.is_flown ? 1 : 0),
+      .mission_mode = static_cast<std::uint8_t>(mission.is_flown    ? 1
+                                                : mission.items > 1 ? 2
+                                                                    : 0),
   };
 }
 

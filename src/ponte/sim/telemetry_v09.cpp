@@ -27,14 +27,12 @@ constexpr std::uint16_t us_per_ms = 1000;
 std::uint8_t mode_of(const Snapshot& snapshot) {
   if (!snapshot.is_ready) return v09::MAV_MODE_UNINIT;
   switch (snapshot.mode) {
-    case FlightMode::stabilize: return v09::MAV_MODE_MANUAL;
+    case FlightMode::manual:
+    case FlightMode::stabilize:
+    case FlightMode::altitude_hold: return v09::MAV_MODE_MANUAL;
     case FlightMode::guided: return v09::MAV_MODE_GUIDED;
-    case FlightMode::automatic:
-    case FlightMode::loiter:
-    case FlightMode::rtl:
-    case FlightMode::land: return v09::MAV_MODE_AUTO;
+    default: return v09::MAV_MODE_AUTO;
   }
-  return v09::MAV_MODE_UNINIT;
 }
 
 std::uint8_t nav_mode_of(const Snapshot& snapshot) {
@@ -45,10 +43,8 @@ std::uint8_t nav_mode_of(const Snapshot& snapshot) {
     case FlightMode::rtl: return v09::MAV_NAV_RETURNING;
     case FlightMode::land: return v09::MAV_NAV_LANDING;
     case FlightMode::guided: return v09::MAV_NAV_VECTOR;
-    case FlightMode::stabilize:
-    case FlightMode::loiter: return v09::MAV_NAV_LOITER;
+    default: return v09::MAV_NAV_LOITER;
   }
-  return v09::MAV_NAV_HOLD;
 }
 
 std::uint8_t status_of(const Snapshot& snapshot) {

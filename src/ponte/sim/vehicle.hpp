@@ -8,6 +8,7 @@
 #include "ponte/sim/config.hpp"
 #include "ponte/sim/copter.hpp"
 #include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/onboard_memory.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,7 @@ class Vehicle {
  public:
   /// No step and no answer has more frames: an outbox of this capacity, emptied after each call, loses nothing as long
   /// as the calls come in time.
-  static constexpr std::size_t frames_per_step = 64;
+  static constexpr std::size_t frames_per_step = 128;
 
   explicit Vehicle(const VehicleConfig& config);
 
@@ -36,19 +37,20 @@ class Vehicle {
   [[nodiscard]] Timestamp next_deadline() const { return step_at(steps_ + 1); }
 
   /// What is true at the last step, whatever the sensors say.
-  [[nodiscard]] const CopterState& truth() const { return copter_.state(); }
-  /// The steps that have gone by, `Copter::step_length` each.
+  [[nodiscard]] const AirframeState& truth() const { return copter_.state(); }
+  /// The steps that have gone by, `Airframe::step_length` each.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:
   [[nodiscard]] static Timestamp step_at(std::uint64_t step) {
-    return Timestamp{Copter::step_length * static_cast<std::int64_t>(step)};
+    return Timestamp{Airframe::step_length * static_cast<std::int64_t>(step)};
   }
 
   void step(Outbox<Frame>& out);
 
   VehicleConfig config_;
   Copter copter_;
+  OnboardMemory memory_;
   std::optional<Autopilot> autopilot_;  // nothing while it starts anew
   std::uint64_t steps_{};
   std::uint64_t boot_step_{};

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ponte/sim/config.hpp"
+#include "ponte/sim/mission_store.hpp"
+#include "ponte/sim/parameters.hpp"
+
+namespace ponte::sim {
+
+/// What an autopilot keeps when it starts anew.
+struct OnboardMemory {
+  explicit OnboardMemory(const VehicleConfig& config)
+      : parameters{config.personality, config.type}, missions{config.personality, config.mission_items} {}
+
+  Parameters parameters;
+  MissionStore missions;
+};
+
+}  // namespace ponte::sim
