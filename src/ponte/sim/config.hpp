@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace ponte::sim {
 
@@ -17,6 +19,12 @@ struct SquareConfig {
   Metres side{60};
   Metres height{20};  ///< above home
   MetresPerSecond speed{5};
+};
+
+/// A parameter of the autopilot that does not begin with its default.
+struct ParameterSetting {
+  std::string name;
+  double value{};
 };
 
 /// One simulated vehicle. Everything that it does follows from this and from what it receives.
@@ -40,6 +48,7 @@ struct VehicleConfig {
   bool fly_square{true};  ///< in GUIDED, once it is armed; otherwise it waits for NAV_TAKEOFF, and holds
   SquareConfig square{};
 
+  std::vector<ParameterSetting> parameters{};  ///< that this autopilot has
   std::optional<std::size_t> mission_items{};  ///< the most of a mission; nothing: as many as the real autopilot takes
 
   std::uint64_t seed{1};

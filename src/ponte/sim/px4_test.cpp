@@ -81,10 +81,11 @@ TEST_F(Px4Test, TellsItsStateFromDisarmedToArmed) {
 }
 
 TEST_F(Px4Test, HasMainAndSubModes) {
-  ASSERT_EQ(set_mode(4, 4), accepted);
-  EXPECT_EQ(heartbeat().custom_mode, 0x0404'0000U);
+  ASSERT_EQ(set_mode(4, 6), accepted);
+  EXPECT_EQ(heartbeat().custom_mode, 0x0604'0000U);
   station_.wait(seconds{2});
-  EXPECT_EQ(station_.last<messages::CurrentMode>().custom_mode, 0x0404'0000U);
+  EXPECT_EQ(station_.last<messages::CurrentMode>().custom_mode, 0x0604'0000U);
+  EXPECT_EQ(set_mode(4, 4), rejected) << "there is no mission";
   EXPECT_EQ(set_mode(4, 99), rejected);
   EXPECT_EQ(set_mode(77, 0), rejected);
   EXPECT_EQ(station_.command(messages::MAV_CMD_DO_SET_MODE, {0, 4, 4}), denied);
