@@ -234,10 +234,7 @@ void Flight::fly(const FlightContext& flight) {
 void Flight::on_taken_off(const FlightContext& flight) {
   if (flight.is_px4()) change_mode(loiter, flight);
   leg_ = flies_square_ && mode_ == guided ? Leg::square : Leg::guided;
-  if (flight.is_plane())
-    flight.airframe.hold();
-  else
-    flight.airframe.climb_to(home_.altitude_msl + height_);
+  flight.airframe.climb_to(home_.altitude_msl + height_);
 }
 
 void Flight::wait_on_ground(const FlightContext& flight) {

@@ -156,7 +156,7 @@ void MissionFlight::start_leg(const MissionItem& item, const FlightContext& flig
     case messages::MAV_CMD_NAV_LAND: leg_ = Leg::land; return airframe.land(place);
     default:
       // An upload is refused for it; an autopilot that has it all the same flies on.
-      flight.facts.push(notice(messages::MAV_SEVERITY_INFO, "Skipping invalid cmd #{}", item.command));
+      flight.facts.push(notice(messages::MAV_SEVERITY_INFO, "Skipping invalid cmd #{}", current_));
       leg_ = Leg::wait;
       arrived_at_ = flight.now;
       return;
@@ -186,7 +186,7 @@ void MissionFlight::step(const FlightContext& flight) {
 }
 
 bool MissionFlight::is_done(const FlightContext& flight) {
-  const double above = -flight.offset_to(place_).down;
+  const double above = flight.offset_to(place_).down;
   switch (leg_) {
     case Leg::take_off: return flight.is_plane() ? above > -plane_altitude_within : std::abs(above) < take_off_within;
     case Leg::travel:
@@ -197,8 +197,8 @@ bool MissionFlight::is_done(const FlightContext& flight) {
     case Leg::climb:
       return has_arrived(flight) && std::abs(above) < (flight.is_plane() ? plane_altitude_within : altitude_within);
     case Leg::land: return !flight.airframe.state().airborne;
+    case Leg::home: return return_.is_landing() && !flight.airframe.state().airborne;
     case Leg::none:
-    case Leg::home:
     case Leg::leave_for_home: return false;
   }
   return false;
