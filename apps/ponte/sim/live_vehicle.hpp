@@ -54,6 +54,8 @@ class LiveVehicle final : public transport::LinkHandler {
   void arm(Timestamp now);
   Peer& find(transport::PeerId peer);
   void set_up_signing(const mavlink::FrameView& frame);
+  void catch_up(Timestamp simulated_now);
+  void flush();
   void send();
 
   transport::Loop& loop_;

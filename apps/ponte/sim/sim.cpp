@@ -24,6 +24,9 @@ struct Options {
   std::string pty;
   MavlinkOptions mavlink;
   bool is_local{};
+  sim::Personality personality{sim::Personality::ardupilot};
+  std::vector<std::string> parameters;
+  std::size_t mission_items{};
   unsigned system{1};
   std::string home;
   double speedup{1};
@@ -53,8 +56,27 @@ sim::Position position_from(const std::string& text) {
   return {radians_from_degrees(latitude), radians_from_degrees(longitude), Metres{altitude}};
 }
 
+/// "NAME=VALUE" of a parameter that this autopilot has.
+sim::ParameterSetting setting_from(const std::string& text, const sim::VehicleConfig& config) {
+  const auto equals = text.find('=');
+  const auto name = text.substr(0, equals);
+  sim::ParameterSetting setting{.name = name};
+  const char* const end = text.data() + text.size();
+  const char* const at = equals == std::string::npos ? end : text.data() + equals + 1;
+  const auto [after, error] = std::from_chars(at, end, setting.value);
+  if (error != std::errc{} || after != end || !std::isfinite(setting.value))
+    throw UsageError{fmt::format("--param {}: expected NAME=NUMBER", text)};
+  if (!sim::Parameters{config.personality, config.type}.find(name))
+    throw UsageError{fmt::format("--param {}: this autopilot has no parameter {}", text, name)};
+  return setting;
+}
+
 void run(const Options& options) {
   sim::VehicleConfig config;
+  config.personality = options.personality;
+  if (options.mission_items != 0) config.mission_items = options.mission_items;
+  for (const auto& each : options.parameters) config.parameters.push_back(setting_from(each, config));
+  config.fly_square = options.arm_after_s.has_value();
   config.system = mavlink::SystemId{static_cast<std::uint8_t>(options.system)};
   config.version = version_from(options.mavlink);
   config.seed = options.seed;
@@ -69,7 +91,8 @@ void run(const Options& options) {
   auto link = options.pty.empty() ? transport::open_link(loop, endpoint_from("--endpoint", options.endpoint), vehicle)
                                   : transport::open_pty(loop, options.pty, vehicle);
   if (!link) throw Failure{transport::to_text(link.error())};
-  log->info("a copter, system {}, speaks MAVLink {} on {}", options.system, options.mavlink.version,
+  log->info("a copter with {}, system {}, speaks MAVLink {} on {}",
+            options.personality == sim::Personality::px4 ? "PX4" : "ArduPilot", options.system, options.mavlink.version,
             options.pty.empty() ? options.endpoint : options.pty);
   vehicle.attach(std::move(*link));
   if (options.arm_after_s)
@@ -83,11 +106,23 @@ void run(const Options& options) {
 
 void add_sim(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("sim", "A simulated copter that speaks MAVLink as ArduCopter does");
+  auto* command = app.add_subcommand("sim", "A simulated copter that speaks MAVLink as ArduPilot or PX4 does");
   auto* endpoint = command->add_option("--endpoint", options->endpoint, "Where it speaks")->capture_default_str();
   command->add_option("--pty", options->pty, "Make a serial port of this name instead, e.g. /tmp/ttyVehicle")
       ->excludes(endpoint);
   add_mavlink_options(*command, options->mavlink, "Version on the wire");
+  const std::map<std::string, sim::Personality> personalities{{"ardupilot", sim::Personality::ardupilot},
+                                                              {"px4", sim::Personality::px4}};
+  command->add_option("--autopilot", options->personality, "Whose ways it has: ardupilot (default) or px4")
+      ->transform(CLI::CheckedTransformer(personalities))
+      ->option_text("NAME");
+  command
+      ->add_option("--param", options->parameters, "A parameter to begin with, e.g. FS_GCS_ENABLE=1; may be repeated")
+      ->option_text("NAME=VALUE");
+  command
+      ->add_option("--mission-items", options->mission_items,
+                   "The most items of a mission, instead of as many as the real autopilot takes")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4000}));
   command->add_flag("--local", options->is_local,
                     "Nobody else can listen on the link: the vehicle takes its signing key from there (SETUP_SIGNING)");
   command->add_option("--system", options->system, "System id")->check(CLI::Range(1U, 255U))->capture_default_str();

@@ -1,14 +1,16 @@
 #include "ponte/sim/autopilot.hpp"
 
+#include "ponte/mavlink/autopilots/command_cancel.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/gps_global_origin.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
 #include "ponte/mavlink/autopilots/mission_item_reached.hpp"
+#include "ponte/mavlink/autopilots/mission_set_current.hpp"
+#include "ponte/mavlink/autopilots/param_request_list.hpp"
+#include "ponte/mavlink/autopilots/ping.hpp"
 #include "ponte/mavlink/autopilots/request_data_stream.hpp"
 #include "ponte/mavlink/autopilots/set_mode.hpp"
-#include "ponte/mavlink/autopilots/statustext.hpp"
 #include "ponte/mavlink/codec.hpp"
-#include "ponte/mavlink/v09/statustext.hpp"
 
 namespace ponte::sim {
 
@@ -29,8 +31,9 @@ SatelliteFix fix_at(Duration since_boot, const VehicleConfig& config) {
 
 }  // namespace
 
-Autopilot::Autopilot(const VehicleConfig& config, Timestamp boot)
+Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timestamp boot)
     : config_{config},
+      memory_{memory},
       boot_{boot},
       sensors_{config.seed, config.noise},
       flight_{{config.personality, config.type},
@@ -38,22 +41,35 @@ Autopilot::Autopilot(const VehicleConfig& config, Timestamp boot)
               config.fly_square,
               config.square},
       sender_{config.version, config.system, config.component},
-      rates_{telemetry_streams(config.version)} {
+      text_numbers_{config.personality},
+      rates_{telemetry_rows(config.personality, config.version)},
+      parameters_{config.personality, memory.parameters},
+      missions_{config.personality, memory.missions},
+      virtual_files_{memory.missions, memory.parameters},
+      files_{virtual_files_} {
   snapshot_.system = config.system;
 }
 
 void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out) {
+  auto speaker = speaker_to(out);
   flight_.step(now - boot_, airframe, facts_);
-  tell_facts(out);
+  tell_facts(speaker);
 }
 
 void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airframe, Outbox<Frame>& out) {
+  auto speaker = speaker_to(out);
   snapshot_.since_boot = now - boot_;
   update(airframe, step);
-  tell_progress(out);
-  if (!speaks_v09() && snapshot_.since_boot > Duration{} && snapshot_.since_boot % time_question_interval == Duration{})
-    ask_time(now, out);
-
+  tell_progress(speaker);
+  if (!speaks_v09()) {
+    take_over_plans(speaker);
+    if (snapshot_.since_boot > Duration{} && snapshot_.since_boot % time_question_interval == Duration{})
+      ask_time(now, speaker);
+    go_on(speaker);
+    parameters_.on_step(snapshot_.since_boot, speaker);
+    missions_.on_step(now, speaker);
+    files_.on_step(now, speaker);
+  }
   for (std::size_t i = 0; i < rows().size(); ++i)
     if (rates_.take_due(i, snapshot_.since_boot)) rows()[i].send(snapshot_, sender_, out);
 }
@@ -71,6 +87,7 @@ void Autopilot::update(const Airframe& airframe, std::uint64_t step) {
   known.target = flight_.target(airframe);
   known.throttle = truth.throttle;
   known.battery = truth.battery;
+  known.mission = mission_progress();
 
   if (known.since_boot % satellite_interval == Duration{}) {
     const auto fix = fix_at(known.since_boot, config_);
@@ -86,17 +103,19 @@ void Autopilot::update(const Airframe& airframe, std::uint64_t step) {
   if (has_just_passed(config_.position_after)) {
     known.origin = truth.position;
     flight_.set_home(truth.position);
+    keep_home();
   }
   known.home = flight_.home();
 }
 
-void Autopilot::tell_progress(Outbox<Frame>& out) {
-  if (has_just_passed(config_.ready_after)) say(messages::MAV_SEVERITY_INFO, "ArduPilot Ready", out);
+void Autopilot::tell_progress(Speaker& speaker) {
+  if (has_just_passed(config_.ready_after) && !is_px4()) speaker.say(messages::MAV_SEVERITY_INFO, "ArduPilot Ready");
   if (!has_just_passed(config_.position_after)) return;
-  send_row(messages::GpsGlobalOrigin::info.id, out);
-  send_row(messages::HomePosition::info.id, out);
-  say(messages::MAV_SEVERITY_INFO, "EKF3 IMU0 origin set", out);
-  say(messages::MAV_SEVERITY_INFO, "EKF3 IMU0 is using GPS", out);
+  send_row(messages::GpsGlobalOrigin::info.id, speaker);
+  send_row(messages::HomePosition::info.id, speaker);
+  if (is_px4()) return speaker.say(messages::MAV_SEVERITY_INFO, "Ready for takeoff!\t");
+  speaker.say(messages::MAV_SEVERITY_INFO, "EKF3 IMU0 origin set");
+  speaker.say(messages::MAV_SEVERITY_INFO, "EKF3 IMU0 is using GPS");
 }
 
 bool Autopilot::has_just_passed(Duration moment) const {
@@ -105,66 +124,117 @@ bool Autopilot::has_just_passed(Duration moment) const {
 
 void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out) {
   if (frame.system == config_.system && frame.component == config_.component) return;  // our own, come back
+  Call call{{frame.system, frame.component}, airframe, speaker_to(out)};
   if (speaks_v09() || frame.version == mavlink::Version::v0_9) {
-    if (speaks_v09()) on_frame_v09(frame, airframe, out);
+    if (speaks_v09()) on_frame_v09(frame, call);
     return;
   }
-  const Requester requester{frame.system, frame.component};
+  on_message(now, frame, call);
+  take_over_plans(call.speaker);
+}
+
+void Autopilot::on_message(Timestamp now, const mavlink::FrameView& frame, Call& call) {
+  missions_.set_use(
+      {.current = snapshot_.mission.current, .runs = snapshot_.armed && flight_.mode() == FlightMode::automatic});
+  if (missions_.on_frame(now, frame, config_.system, call.speaker)) return;
+  /// Decodes the message, and hands it on if it is for us.
+  const auto handle = [&](auto message, auto&& act) {
+    message = mavlink::decode<decltype(message)>(frame);
+    if (is_for_us(message.target_system)) act(message);
+  };
+  const auto on_any_command = [&](const auto& m) {
+    if (is_for_us(m.target_system, m.target_component)) on_command(to_command(m), call);
+  };
+  const auto on_setpoint = [&](const auto& m) { guide(guided_target(m, setpoint_reference()), call); };
+
   switch (frame.message.value) {
-    case CommandLong::info.id.value: {
-      const auto command = mavlink::decode<CommandLong>(frame);
-      if (is_for_us(command.target_system)) on_command(command, requester, airframe, out);
-      return;
-    }
-    case messages::SetMode::info.id.value: {
-      const auto wish = mavlink::decode<messages::SetMode>(frame);
-      if (!is_for_us(wish.target_system)) return;
-      // ArduPilot acknowledges it as if its message id were a command.
-      const auto result = set_mode(wish.base_mode, static_cast<float>(wish.custom_mode), airframe, out);
-      acknowledge(messages::SetMode::info.id.value, result, requester, out);
-      return;
-    }
+    case messages::CommandLong::info.id.value: return handle(messages::CommandLong{}, on_any_command);
+    case messages::CommandInt::info.id.value: return handle(messages::CommandInt{}, on_any_command);
+    case messages::CommandCancel::info.id.value:
+      return handle(messages::CommandCancel{}, [&](const auto& m) { on_cancel(m.command, call); });
+    case messages::SetMode::info.id.value:
+      return handle(messages::SetMode{}, [&](const auto& wish) {
+        // ArduPilot acknowledges it as if its message id were a command; PX4, as the command that it stands for.
+        const auto told = is_px4() ? std::uint32_t{messages::MAV_CMD_DO_SET_MODE} : messages::SetMode::info.id.value;
+        const auto result = set_mode(wish.base_mode, wish.custom_mode, call);
+        acknowledge(static_cast<std::uint16_t>(told), result, call.requester, call.speaker);
+      });
+    case messages::ParamRequestList::info.id.value:
+      return handle(messages::ParamRequestList{}, [&](const auto&) { parameters_.on_request_list(); });
+    case messages::ParamRequestRead::info.id.value:
+      return handle(messages::ParamRequestRead{},
+                    [&](const auto& m) { parameters_.on_request_read(m, call.requester, call.speaker); });
+    case messages::ParamSet::info.id.value:
+      return handle(messages::ParamSet{}, [&](const auto& m) { parameters_.on_set(m, call.requester, call.speaker); });
+    case messages::FileTransferProtocol::info.id.value:
+      return handle(messages::FileTransferProtocol{}, [&](const auto& m) {
+        if (!is_px4()) files_.on_message(now, m, call.requester, call.speaker);
+      });
+    case messages::SetPositionTargetGlobalInt::info.id.value:
+      return handle(messages::SetPositionTargetGlobalInt{}, on_setpoint);
+    case messages::SetPositionTargetLocalNed::info.id.value:
+      return handle(messages::SetPositionTargetLocalNed{}, on_setpoint);
+    case messages::MissionSetCurrent::info.id.value: return on_set_current(frame, call);
     case messages::RequestDataStream::info.id.value:
-      request_stream(mavlink::decode<messages::RequestDataStream>(frame));
-      return;
-    case messages::Timesync::info.id.value: answer_time(now, mavlink::decode<messages::Timesync>(frame), out); return;
+      return request_stream(mavlink::decode<messages::RequestDataStream>(frame));
+    case messages::Timesync::info.id.value:
+      return answer_time(now, mavlink::decode<messages::Timesync>(frame), call.speaker);
+    case messages::Ping::info.id.value: return answer_ping(frame, call);
     default: return;
   }
 }
 
-void Autopilot::answer_time(Timestamp now, const messages::Timesync& request, Outbox<Frame>& out) {
+void Autopilot::answer_time(Timestamp now, const messages::Timesync& request, Speaker& speaker) {
   if (request.tc1 != 0 || !is_for_us(request.target_system)) return;
-  sender_.send(messages::Timesync{.tc1 = (now - boot_).count(), .ts1 = request.ts1}, out);
+  speaker.send(messages::Timesync{.tc1 = (now - boot_).count(), .ts1 = request.ts1});
 }
 
-/// ArduPilot hides its system id in the digits below the microsecond.
-void Autopilot::ask_time(Timestamp now, Outbox<Frame>& out) {
+/// ArduPilot asks by TIMESYNC, and hides its system id in the digits below the microsecond; PX4 by PING.
+void Autopilot::ask_time(Timestamp now, Speaker& speaker) {
+  if (is_px4()) {
+    const auto us = static_cast<std::uint64_t>((now - boot_) / std::chrono::microseconds{1});
+    return speaker.send(messages::Ping{.time_usec = us, .seq = pings_++});
+  }
   const auto whole_microseconds = (now - boot_).count() / 1000 * 1000;
-  sender_.send(messages::Timesync{.tc1 = 0, .ts1 = whole_microseconds + config_.system.value}, out);
+  speaker.send(messages::Timesync{.tc1 = 0, .ts1 = whole_microseconds + config_.system.value});
 }
 
-void Autopilot::say(std::uint8_t severity, std::string_view text, Outbox<Frame>& out) {
-  if (!speaks_v09()) return sender_.send(messages::Statustext{.severity = severity, .text = text}, out);
-  const bool is_critical = severity <= messages::MAV_SEVERITY_CRITICAL;
-  sender_.send(mavlink::v09::Statustext{.severity = static_cast<std::uint8_t>(is_critical ? 255 : 0), .text = text},
-               out);
+/// PX4 answers what is asked of nobody in particular; ArduPilot does not.
+void Autopilot::answer_ping(const mavlink::FrameView& frame, Call& call) const {
+  auto ping = mavlink::decode<messages::Ping>(frame);
+  if (!is_px4() || ping.target_system != 0 || ping.target_component != 0) return;
+  ping.target_system = call.requester.system.value;
+  ping.target_component = call.requester.component.value;
+  call.speaker.send(ping);
 }
 
-void Autopilot::tell_facts(Outbox<Frame>& out) {
+void Autopilot::tell_facts(Speaker& speaker) {
   facts_.drain([&](const FlightFact& fact) {
-    if (const auto* text = std::get_if<Notice>(&fact)) say(text->severity, text->text.view(), out);
+    if (const auto* text = std::get_if<Notice>(&fact)) speaker.say(text->severity, text->text.view());
     if (const auto* done = std::get_if<ItemReached>(&fact); done != nullptr && !speaks_v09())
-      sender_.send(messages::MissionItemReached{.seq = done->item}, out);
+      speaker.send(messages::MissionItemReached{.seq = done->item});
   });
 }
 
-void Autopilot::send_row(mavlink::MessageId id, Outbox<Frame>& out) {
-  if (speaks_v09()) return;
-  if (const auto row = find_telemetry_row(id)) rows()[*row].send(snapshot_, sender_, out);
+std::uint8_t Autopilot::not_now() const {
+  return is_px4() ? messages::MAV_RESULT_TEMPORARILY_REJECTED : messages::MAV_RESULT_FAILED;
+}
+
+SetpointReference Autopilot::setpoint_reference() const {
+  return {.origin = snapshot_.origin,
+          .home = flight_.home(),
+          .position = snapshot_.readings.position,
+          .heading = snapshot_.readings.attitude.heading};
 }
 
 bool Autopilot::is_for_us(std::uint8_t target_system) const {
   return target_system == 0 || target_system == config_.system.value;
+}
+
+/// ArduPilot does not look at the component.
+bool Autopilot::is_for_us(std::uint8_t target_system, std::uint8_t target_component) const {
+  const bool is_component = !is_px4() || target_component == 0 || target_component == config_.component.value;
+  return is_for_us(target_system) && is_component;
 }
 
 }  // namespace ponte::sim

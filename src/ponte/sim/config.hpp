@@ -6,7 +6,11 @@
 #include "ponte/sim/copter.hpp"
 #include "ponte/sim/personality.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace ponte::sim {
 
@@ -15,6 +19,12 @@ struct SquareConfig {
   Metres side{60};
   Metres height{20};  ///< above home
   MetresPerSecond speed{5};
+};
+
+/// A parameter of the autopilot that does not begin with its default.
+struct ParameterSetting {
+  std::string name;
+  double value{};
 };
 
 /// One simulated vehicle. Everything that it does follows from this and from what it receives.
@@ -37,6 +47,9 @@ struct VehicleConfig {
   CopterConfig copter{};
   bool fly_square{true};  ///< in GUIDED, once it is armed; otherwise it waits for NAV_TAKEOFF, and holds
   SquareConfig square{};
+
+  std::vector<ParameterSetting> parameters{};  ///< that this autopilot has
+  std::optional<std::size_t> mission_items{};  ///< the most of a mission; nothing: as many as the real autopilot takes
 
   std::uint64_t seed{1};
   double noise{1};  ///< of the sensors: 0 none, 1 what good ones have

@@ -90,7 +90,7 @@ void Flight::begin(const FlightContext& flight) {
   if (!state.airborne) return;
   switch (mode_) {
     case rtl: leg_ = Leg::home; return return_.begin(flight);
-    case land: leg_ = Leg::land; return has_position_ ? airframe.land(std::nullopt) : airframe.sink();
+    case land: leg_ = Leg::land; return land_here(flight);
     case circle: {
       const double heading = state.attitude.heading.value;
       const double radius = settings_.loiter_radius.value;

@@ -231,7 +231,7 @@ constexpr auto px4_table = std::to_array<ParameterInfo>({
 
 }  // namespace
 
-std::span<const ParameterInfo> parameter_table(Personality personality) {
+std::span<const ParameterInfo> parameter_table(Personality personality, AirframeType /*type*/) {
   if (personality == Personality::px4) return px4_table;
   return ardupilot_table;
 }

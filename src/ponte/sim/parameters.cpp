@@ -30,7 +30,8 @@ double to_type(double value, ParameterType type) {
 
 }  // namespace
 
-Parameters::Parameters(Personality personality) : table_{parameter_table(personality)}, values_(table_.size()) {
+Parameters::Parameters(Personality personality, AirframeType type)
+    : table_{parameter_table(personality, type)}, values_(table_.size()) {
   for (std::size_t i = 0; i < table_.size(); ++i) set(i, table_[i].default_value);
 }
 
@@ -45,6 +46,10 @@ double Parameters::value(std::string_view name) const {
   const auto index = find(name);
   PONTE_ASSERT(index.has_value());
   return values_[*index];
+}
+
+double Parameters::default_value(std::size_t index) const {
+  return to_type(table_[index].default_value, table_[index].type);
 }
 
 void Parameters::set(std::size_t index, double value) {

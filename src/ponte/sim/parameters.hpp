@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ponte/sim/airframe.hpp"
 #include "ponte/sim/personality.hpp"
 
 #include <cstddef>
@@ -21,19 +22,21 @@ struct ParameterInfo {
 };
 
 /// What this autopilot has, in the order of its list. Names, types and defaults are the real ones.
-[[nodiscard]] std::span<const ParameterInfo> parameter_table(Personality personality);
+[[nodiscard]] std::span<const ParameterInfo> parameter_table(Personality personality, AirframeType type);
 
 /// The parameters of one autopilot and their values, in the units of the autopilot. Whether a value makes sense is not
 /// examined, as on the real ones; that it fits its type is.
 class Parameters {
  public:
-  explicit Parameters(Personality personality);
+  explicit Parameters(Personality personality, AirframeType type = AirframeType::copter);
 
   [[nodiscard]] std::size_t size() const { return table_.size(); }
   /// The index of the parameter of this name, or nothing.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   [[nodiscard]] const ParameterInfo& info(std::size_t index) const { return table_[index]; }
   [[nodiscard]] double value(std::size_t index) const { return values_[index]; }
+  /// As its type holds it.
+  [[nodiscard]] double default_value(std::size_t index) const;
   /// Of a parameter that this personality has: another name is a mistake of the caller's.
   [[nodiscard]] double value(std::string_view name) const;
 

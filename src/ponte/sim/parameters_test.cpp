@@ -11,7 +11,7 @@ class ParameterTables : public ::testing::TestWithParam<Personality> {};
 
 TEST_P(ParameterTables, HaveEachNameOnceAndNoneTooLong) {
   std::set<std::string_view> names;
-  for (const auto& each : parameter_table(GetParam())) {
+  for (const auto& each : parameter_table(GetParam(), AirframeType::copter)) {
     EXPECT_TRUE(names.insert(each.name).second) << each.name;
     EXPECT_LE(each.name.size(), 16U) << each.name;
   }

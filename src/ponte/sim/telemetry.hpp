@@ -5,8 +5,11 @@
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/message_rates.hpp"
+#include "ponte/sim/personality.hpp"
 #include "ponte/sim/sensors.hpp"
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -20,6 +23,15 @@ struct SatelliteEpoch {
   SatelliteFix fix{};
   Duration at{};  ///< since the start of the autopilot
   SatelliteReading reading{};
+};
+
+/// How far the mission is. `current` counts as this autopilot's items do.
+struct MissionProgress {
+  std::uint16_t current{};
+  std::uint16_t items{};               ///< stored, ArduPilot's home included
+  std::uint8_t state{};                ///< MISSION_STATE
+  bool is_flown{};                     ///< in its mode, armed or not
+  std::array<std::uint32_t, 3> ids{};  ///< of mission, fence and rally points
 };
 
 /// Everything that the autopilot knows at one step; messages are made of this alone.
@@ -40,23 +52,23 @@ struct Snapshot {
   double throttle{};                 ///< 0 to 1
   BatteryState battery{};
   mavlink::SystemId system{};
+  MissionProgress mission{};
 };
 
 /// One message that the autopilot can send by itself or when it is asked for.
 struct TelemetryRow {
   const mavlink::MessageInfo* info;
-  Stream stream;
+  Rate rate;
   /// Sends nothing if there is nothing to tell yet.
   void (*send)(const Snapshot& snapshot, FrameSender& sender, Outbox<Frame>& out);
 };
 
-/// All of this version, in the order in which those of one step are sent.
-[[nodiscard]] std::span<const TelemetryRow> telemetry_rows(mavlink::Version version);
+/// What an autopilot of this personality and version has, in the order in which the messages of one step are sent.
+/// MAVLink 1 carries no message with an id above 255; such a row is there and is not used.
+[[nodiscard]] std::span<const TelemetryRow> telemetry_rows(Personality personality, mavlink::Version version);
+[[nodiscard]] std::span<const TelemetryRow> telemetry_rows_px4();
 [[nodiscard]] std::span<const TelemetryRow> telemetry_rows_v09();
-/// The streams of these rows.
-[[nodiscard]] std::span<const Stream> telemetry_streams(mavlink::Version version);
-[[nodiscard]] std::span<const Stream> telemetry_streams_v09();
-/// The place among the rows of MAVLink 1 and 2 of the message with this id, or nothing.
-[[nodiscard]] std::optional<std::size_t> find_telemetry_row(mavlink::MessageId id);
+/// The place among these rows of the message with this id, or nothing.
+[[nodiscard]] std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> rows, mavlink::MessageId id);
 
 }  // namespace ponte::sim

@@ -50,6 +50,27 @@ messages::Attitude attitude_message(const Snapshot& snapshot) {
   };
 }
 
+messages::AttitudeQuaternion attitude_quaternion(const Snapshot& snapshot) {
+  const auto& attitude = snapshot.readings.attitude;
+  const auto& rates = snapshot.readings.rates;
+  const double roll = attitude.roll.value / 2;
+  const double pitch = attitude.pitch.value / 2;
+  const double heading = attitude.heading.value / 2;
+  const double cr = std::cos(roll), sr = std::sin(roll);
+  const double cp = std::cos(pitch), sp = std::sin(pitch);
+  const double ch = std::cos(heading), sh = std::sin(heading);
+  return {
+      .time_boot_ms = boot_ms(snapshot),
+      .q1 = static_cast<float>(cr * cp * ch + sr * sp * sh),
+      .q2 = static_cast<float>(sr * cp * ch - cr * sp * sh),
+      .q3 = static_cast<float>(cr * sp * ch + sr * cp * sh),
+      .q4 = static_cast<float>(cr * cp * sh - sr * sp * ch),
+      .rollspeed = static_cast<float>(rates.x),
+      .pitchspeed = static_cast<float>(rates.y),
+      .yawspeed = static_cast<float>(rates.z),
+  };
+}
+
 /// Before there is a position, only the heading is known.
 messages::GlobalPositionInt global_position(const Snapshot& snapshot) {
   const auto& position = snapshot.readings.position;

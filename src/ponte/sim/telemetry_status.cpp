@@ -38,9 +38,14 @@ std::uint8_t system_status(const Snapshot& snapshot) {
 
 }  // namespace
 
+std::uint8_t vehicle_type(const Snapshot& snapshot) {
+  const bool is_plane = snapshot.kind.type == AirframeType::plane;
+  return is_plane ? messages::MAV_TYPE_FIXED_WING : messages::MAV_TYPE_QUADROTOR;
+}
+
 messages::Heartbeat heartbeat(const Snapshot& snapshot) {
   return {
-      .type = messages::MAV_TYPE_QUADROTOR,
+      .type = vehicle_type(snapshot),
       .autopilot = messages::MAV_AUTOPILOT_ARDUPILOTMEGA,
       .base_mode = base_mode(snapshot),
       .custom_mode = flight_mode_info(snapshot.kind, snapshot.mode).custom_mode,
@@ -115,8 +120,17 @@ std::optional<messages::PositionTargetGlobalInt> position_target(const Snapshot&
   };
 }
 
-messages::MissionCurrent mission_current(const Snapshot& /*snapshot*/) {
-  return {.mission_state = messages::MISSION_STATE_NO_MISSION};
+/// Home is an item, but is not counted.
+messages::MissionCurrent mission_current(const Snapshot& snapshot) {
+  const auto& mission = snapshot.mission;
+  return {
+      .seq = mission.current,
+      .total = static_cast<std::uint16_t>(mission.items == 0 ? 0 : mission.items - 1),
+      .mission_state = mission.state,
+      .mission_mode = static_cast<std::uint8_t>(mission.is_flown    ? 1
+                                                : mission.items > 1 ? 2
+                                                                    : 0),
+  };
 }
 
 messages::ServoOutputRaw servo_output(const Snapshot& snapshot) {
@@ -188,7 +202,12 @@ std::optional<messages::GpsGlobalOrigin> gps_global_origin(const Snapshot& snaps
 
 messages::AutopilotVersion autopilot_version(const Snapshot& snapshot) {
   return {
-      .capabilities = messages::MAV_PROTOCOL_CAPABILITY_MAVLINK2,
+      .capabilities = messages::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | messages::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT |
+                      messages::MAV_PROTOCOL_CAPABILITY_MISSION_INT | messages::MAV_PROTOCOL_CAPABILITY_COMMAND_INT |
+                      messages::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED |
+                      messages::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT |
+                      messages::MAV_PROTOCOL_CAPABILITY_MAVLINK2 | messages::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE |
+                      messages::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY,
       .flight_sw_version = 0x0407'0000,  // 4.7.0, a development version
       .flight_custom_version = {'p', 'o', 'n', 't', 'e', '-', 's', 'i'},
       .uid = snapshot.system.value,

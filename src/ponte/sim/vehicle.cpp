@@ -11,7 +11,8 @@ constexpr auto reboot_steps = std::chrono::milliseconds{400} / Airframe::step_le
 Vehicle::Vehicle(const VehicleConfig& config)
     : config_{config},
       copter_{config.copter, config.start, config.heading},
-      autopilot_{std::in_place, config, Timestamp{}} {}
+      memory_{config},
+      autopilot_{std::in_place, config, memory_, Timestamp{}} {}
 
 void Vehicle::on_frame(Timestamp now, const mavlink::FrameView& frame, const mavlink::MessageInfo& /*message*/,
                        Outbox<Frame>& out) {
@@ -29,7 +30,7 @@ void Vehicle::on_tick(Timestamp now, Outbox<Frame>& out) {
 
 void Vehicle::step(Outbox<Frame>& out) {
   ++steps_;
-  if (!autopilot_ && steps_ >= boot_step_) autopilot_.emplace(config_, step_at(steps_));
+  if (!autopilot_ && steps_ >= boot_step_) autopilot_.emplace(config_, memory_, step_at(steps_));
   if (autopilot_) autopilot_->steer(step_at(steps_), copter_, out);
   copter_.step({});
   if (autopilot_) autopilot_->report(step_at(steps_), steps_, copter_, out);

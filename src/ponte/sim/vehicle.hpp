@@ -8,6 +8,7 @@
 #include "ponte/sim/config.hpp"
 #include "ponte/sim/copter.hpp"
 #include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/onboard_memory.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +22,7 @@ class Vehicle {
  public:
   /// No step and no answer has more frames: an outbox of this capacity, emptied after each call, loses nothing as long
   /// as the calls come in time.
-  static constexpr std::size_t frames_per_step = 64;
+  static constexpr std::size_t frames_per_step = 128;
 
   explicit Vehicle(const VehicleConfig& config);
 
@@ -49,6 +50,7 @@ class Vehicle {
 
   VehicleConfig config_;
   Copter copter_;
+  OnboardMemory memory_;
   std::optional<Autopilot> autopilot_;  // nothing while it starts anew
   std::uint64_t steps_{};
   std::uint64_t boot_step_{};
