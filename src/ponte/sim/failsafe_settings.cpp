@@ -28,8 +28,13 @@ constexpr std::array ardupilot_position{warn, land, hold, land};
 constexpr std::array px4_station{none, hold, rtl, land, land, terminate, terminate};
 constexpr std::array px4_fence{none, warn, hold, rtl, terminate, land};
 
+double value_of(const Parameters& parameters, std::string_view name) {
+  const auto index = parameters.find(name);
+  return index ? parameters.value(*index) : 0;
+}
+
 FailsafeSettings of_px4(const Parameters& parameters) {
-  const auto value = [&](std::string_view name) { return parameters.value(name); };
+  const auto value = [&](std::string_view name) { return value_of(parameters, name); };
   const auto low_battery = value("COM_LOW_BAT_ACT");
   const auto limit = [&](std::string_view name) {
     const double metres = value(name);
@@ -55,7 +60,7 @@ FailsafeSettings of_px4(const Parameters& parameters) {
 }
 
 FailsafeSettings of_ardupilot(AirframeType type, const Parameters& parameters) {
-  const auto value = [&](std::string_view name) { return parameters.value(name); };
+  const auto value = [&](std::string_view name) { return value_of(parameters, name); };
   const auto battery_action = [&](std::string_view name) {
     return type == AirframeType::plane ? action_of(value(name), plane_battery) : action_of(value(name), copter_battery);
   };

@@ -35,7 +35,7 @@ struct FailsafeSettings {
   Duration hold_first{};    ///< before an action, so that a pilot may take over: none, COM_FAIL_ACT_T
 };
 
-/// As these parameters, which are of this kind, have them.
+/// As these parameters, which are of this kind, have them; one that is not among them is 0.
 [[nodiscard]] FailsafeSettings failsafe_settings(VehicleKind kind, const Parameters& parameters);
 
 }  // namespace ponte::sim

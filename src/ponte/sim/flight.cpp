@@ -196,6 +196,7 @@ void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
     return;
   }
   if (state.airborne != was_airborne_) on_ground_left_or_reached(flight);
+  if (!state.armed) return;
   const bool flies_mission = leg_ == Leg::mission && !mission_.is_finished();
   if (state.airborne || leg_ == Leg::take_off || flies_mission || (leg_ == Leg::guided && flight.is_px4()))
     fly(flight);
@@ -207,9 +208,17 @@ void Flight::on_ground_left_or_reached(const FlightContext& flight) {
   was_airborne_ = flight.airframe.state().airborne;
   has_landed_ = !was_airborne_;
   idle_since_ = flight.now;
+  if (has_landed_ && flight.airframe.state().crashed) return crash(flight);
   if (has_landed_ && leg_ != Leg::mission) leg_ = Leg::none;
   if (!flight.is_px4()) return;
   flight.facts.push(notice(messages::MAV_SEVERITY_INFO, "{} detected\t", has_landed_ ? "Landing" : "Takeoff"));
+}
+
+void Flight::crash(const FlightContext& flight) {
+  flight.airframe.disarm();
+  on_disarmed();
+  flight.facts.push(notice(messages::MAV_SEVERITY_CRITICAL, "{}",
+                           flight.is_px4() ? "Crash detected, disarmed\t" : "Crash: Disarming"));
 }
 
 void Flight::fly(const FlightContext& flight) {

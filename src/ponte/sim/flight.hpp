@@ -89,6 +89,7 @@ class Flight {
   void land_here(const FlightContext& flight);
   void on_taken_off(const FlightContext& flight);
   void wait_on_ground(const FlightContext& flight);
+  void crash(const FlightContext& flight);
   void on_ground_left_or_reached(const FlightContext& flight);
   void disarm(const FlightContext& flight);
   void change_mode(FlightMode mode, const FlightContext& flight);
