@@ -4,6 +4,7 @@
 #include "ponte/sim/battery.hpp"
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/gimbal.hpp"
 #include "ponte/sim/message_rates.hpp"
 #include "ponte/sim/personality.hpp"
 #include "ponte/sim/sensors.hpp"
@@ -53,6 +54,7 @@ struct Snapshot {
   BatteryState battery{};
   mavlink::SystemId system{};
   MissionProgress mission{};
+  GimbalState gimbal{};
 };
 
 /// One message that the autopilot can send by itself or when it is asked for.
