@@ -31,6 +31,12 @@ SatelliteFix fix_at(Duration since_boot, const VehicleConfig& config, bool hears
   return since_boot >= receiver_found_after ? SatelliteFix::none : SatelliteFix::no_receiver;
 }
 
+/// Each autopilot has a gimbal if a parameter says so, from the start.
+bool has_gimbal(Personality personality, const Parameters& parameters) {
+  if (personality == Personality::px4) return parameters.value("MNT_MODE_IN") >= 0;
+  return parameters.value("MNT1_TYPE") > 0;
+}
+
 }  // namespace
 
 Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timestamp boot)
@@ -50,6 +56,7 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       rates_{telemetry_rows(config.personality, config.version)},
       parameters_{config.personality, memory.parameters},
       missions_{config.personality, memory.missions},
+      gimbal_{has_gimbal(config.personality, memory.parameters)},
       virtual_files_{memory.missions, memory.parameters},
       files_{virtual_files_} {
   snapshot_.system = config.system;
@@ -102,6 +109,8 @@ void Autopilot::update(const Airframe& airframe, std::uint64_t step, bool hears_
   known.is_in_trouble = failsafes_.is_active();
   known.wind = truth.wind;
   known.mission = mission_progress();
+  gimbal_.step(known.readings.position, known.readings.attitude, flight_.mission().region_of_interest());
+  known.gimbal = gimbal_.state();
 
   if (known.since_boot % satellite_interval == Duration{}) update_satellites(truth, step, hears_satellites);
   known.utc.reset();
@@ -200,6 +209,10 @@ void Autopilot::on_message(Timestamp now, const mavlink::FrameView& frame, Call&
       return handle(messages::FileTransferProtocol{}, [&](const auto& m) {
         if (!is_px4()) files_.on_message(now, m, call.requester, call.speaker);
       });
+    case messages::GimbalManagerSetPitchyaw::info.id.value:
+      return handle(messages::GimbalManagerSetPitchyaw{}, [&](const auto& m) { on_gimbal_message(m); });
+    case messages::GimbalManagerSetAttitude::info.id.value:
+      return handle(messages::GimbalManagerSetAttitude{}, [&](const auto& m) { on_gimbal_message(m); });
     case messages::SetPositionTargetGlobalInt::info.id.value:
       return handle(messages::SetPositionTargetGlobalInt{}, on_setpoint);
     case messages::SetPositionTargetLocalNed::info.id.value:

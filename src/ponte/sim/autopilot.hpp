@@ -1,6 +1,8 @@
 #pragma once
 
 #include "ponte/core/outbox.hpp"
+#include "ponte/mavlink/autopilots/gimbal_manager_set_attitude.hpp"
+#include "ponte/mavlink/autopilots/gimbal_manager_set_pitchyaw.hpp"
 #include "ponte/mavlink/autopilots/timesync.hpp"
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/sim/command.hpp"
@@ -99,6 +101,13 @@ class Autopilot {
   [[nodiscard]] std::optional<std::size_t> row_named_by(float parameter) const;
   void send_row(mavlink::MessageId id, Speaker& speaker);
 
+  // commands_gimbal.cpp
+  [[nodiscard]] std::uint8_t point_gimbal(const Command& command, Call& call);
+  [[nodiscard]] std::uint8_t look_at(const Command& command);
+  [[nodiscard]] std::uint8_t not_there() const;
+  void on_gimbal_message(const mavlink::autopilots::GimbalManagerSetPitchyaw& wish);
+  void on_gimbal_message(const mavlink::autopilots::GimbalManagerSetAttitude& wish);
+
   // commands_v09.cpp
   void on_frame_v09(const mavlink::FrameView& frame, Call& call);
   [[nodiscard]] std::uint8_t act(std::uint8_t action, Call& call);
@@ -145,6 +154,7 @@ class Autopilot {
   MessageRates rates_;
   ParameterService parameters_;
   MissionService missions_;
+  Gimbal gimbal_;
   VirtualFiles virtual_files_;
   FileServer files_;
   Snapshot snapshot_;                              // of the last step

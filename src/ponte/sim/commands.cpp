@@ -37,6 +37,14 @@ std::uint8_t Autopilot::execute(const Command& command, Call& call) {
     case messages::MAV_CMD_MISSION_START: return start_mission(command, call);
     case messages::MAV_CMD_DO_SET_MISSION_CURRENT: return set_mission_item(command, call);
 
+    case messages::MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW:
+    case messages::MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE:
+    case messages::MAV_CMD_DO_MOUNT_CONFIGURE:
+    case messages::MAV_CMD_DO_MOUNT_CONTROL: return point_gimbal(command, call);
+    case messages::MAV_CMD_DO_SET_ROI:
+    case messages::MAV_CMD_DO_SET_ROI_LOCATION:
+    case messages::MAV_CMD_DO_SET_ROI_NONE: return look_at(command);
+
     case messages::MAV_CMD_SET_MESSAGE_INTERVAL: return set_message_interval(command, call);
     case messages::MAV_CMD_GET_MESSAGE_INTERVAL: return tell_message_interval(command, call);
     case messages::MAV_CMD_REQUEST_MESSAGE:

@@ -83,7 +83,7 @@ constexpr auto ardupilot_table = std::to_array<ParameterInfo>({
     {"CIRCLE_RADIUS", real32, 1e+03},
     {"CIRCLE_RATE", real32, 2e+01},
     {"AHRS_EKF_TYPE", int8, 3},
-    {"MNT1_TYPE", int8, 1},
+    {"MNT1_TYPE", int8, 0},
     {"BATT_MONITOR", int8, 4},
     {"BATT_CAPACITY", int32, 3300},
     {"BATT_LOW_TIMER", int8, 10},

@@ -29,6 +29,10 @@ constexpr std::array rows{
     telemetry_row<ahrs>({Stream::extra3}),
     telemetry_row<ekf_status_report>({Stream::extra3}),
     telemetry_row<vibration>({Stream::extra3}),
+    telemetry_row<gimbal_attitude>({Stream::extra3}),
+    telemetry_row<gimbal_manager_status>({Stream::none, std::chrono::seconds{5}}),
+    telemetry_row<gimbal_manager_information>({Stream::none}),
+    telemetry_row<mount_orientation>({Stream::none}),
     telemetry_row<system_time>({Stream::extra3}),
     telemetry_row<battery_status>({Stream::extra3}),
     telemetry_row<wind>({Stream::extra3}),
@@ -41,8 +45,6 @@ constexpr std::array rows{
 };
 
 static_assert(rows.size() <= MessageRates::capacity);
-static_assert(std::all_of(rows.begin(), rows.end(), [](const TelemetryRow& each) { return each.info->id.value < 256; }),
-              "MAVLink 1 has to be able to carry them");
 
 }  // namespace
 

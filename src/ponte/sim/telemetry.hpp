@@ -5,6 +5,7 @@
 #include "ponte/sim/failsafe.hpp"
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/gimbal.hpp"
 #include "ponte/sim/message_rates.hpp"
 #include "ponte/sim/personality.hpp"
 #include "ponte/sim/sensors.hpp"
@@ -59,6 +60,7 @@ struct Snapshot {
   NorthEastDown wind{};  ///< m/s, where the air goes
   mavlink::SystemId system{};
   MissionProgress mission{};
+  GimbalState gimbal{};
 };
 
 /// One message that the autopilot can send by itself or when it is asked for.

@@ -11,6 +11,9 @@
 #include "ponte/mavlink/autopilots/ekf_status_report.hpp"
 #include "ponte/mavlink/autopilots/estimator_status.hpp"
 #include "ponte/mavlink/autopilots/extended_sys_state.hpp"
+#include "ponte/mavlink/autopilots/gimbal_device_attitude_status.hpp"
+#include "ponte/mavlink/autopilots/gimbal_manager_information.hpp"
+#include "ponte/mavlink/autopilots/gimbal_manager_status.hpp"
 #include "ponte/mavlink/autopilots/global_position_int.hpp"
 #include "ponte/mavlink/autopilots/gps_global_origin.hpp"
 #include "ponte/mavlink/autopilots/gps_raw_int.hpp"
@@ -19,6 +22,7 @@
 #include "ponte/mavlink/autopilots/local_position_ned.hpp"
 #include "ponte/mavlink/autopilots/meminfo.hpp"
 #include "ponte/mavlink/autopilots/mission_current.hpp"
+#include "ponte/mavlink/autopilots/mount_orientation.hpp"
 #include "ponte/mavlink/autopilots/nav_controller_output.hpp"
 #include "ponte/mavlink/autopilots/position_target_global_int.hpp"
 #include "ponte/mavlink/autopilots/position_target_local_ned.hpp"
@@ -77,6 +81,12 @@ namespace messages = mavlink::autopilots;
 [[nodiscard]] messages::Ahrs ahrs(const Snapshot& snapshot);
 [[nodiscard]] messages::EkfStatusReport ekf_status_report(const Snapshot& snapshot);
 [[nodiscard]] messages::Vibration vibration(const Snapshot& snapshot);
+
+// The gimbal.
+[[nodiscard]] std::optional<messages::GimbalManagerInformation> gimbal_manager_information(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::GimbalManagerStatus> gimbal_manager_status(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::GimbalDeviceAttitudeStatus> gimbal_attitude(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::MountOrientation> mount_orientation(const Snapshot& snapshot);
 
 // What PX4 sends besides, or fills in another way.
 [[nodiscard]] messages::Heartbeat heartbeat_px4(const Snapshot& snapshot);
