@@ -94,6 +94,12 @@ void LiveVehicle::arm(Timestamp now) {
   send();
 }
 
+Result<sim::Fault, std::string> LiveVehicle::inject(std::string_view fault) {
+  const auto parsed = sim::parse_fault(fault, simulated(loop_.now()) - Timestamp{});
+  if (parsed) vehicle_.inject(*parsed);
+  return parsed;
+}
+
 Timestamp LiveVehicle::simulated(Timestamp now) const {
   return Timestamp{std::chrono::duration_cast<Duration>((now - power_on_) * speedup_)};
 }
