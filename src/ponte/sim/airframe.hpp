@@ -23,6 +23,7 @@ struct AirframeState {
   BodyVector rates{};  ///< rad/s
   bool armed{};
   bool airborne{};
+  bool crashed{};     ///< it came down harder than it stands
   double throttle{};  ///< 0 to 1
   BatteryState battery{};
   friend bool operator==(const AirframeState&, const AirframeState&) = default;
@@ -74,6 +75,9 @@ class Airframe {
   virtual void sink() = 0;
   /// Turns the nose instead of letting it follow the course, until the next of the orders above. Only copters do.
   virtual void face(const Facing& facing) = 0;
+
+  /// The battery loses all but this share of its capacity at once, unless it has less.
+  virtual void lose_charge(double all_but) = 0;
 
   /// Lets `step_length` go by.
   virtual void step(const Conditions& conditions) = 0;

@@ -3,6 +3,7 @@
 #include "ponte/mavlink/autopilots/command_cancel.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/gps_global_origin.hpp"
+#include "ponte/mavlink/autopilots/heartbeat.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
 #include "ponte/mavlink/autopilots/mission_item_reached.hpp"
 #include "ponte/mavlink/autopilots/mission_set_current.hpp"
@@ -23,7 +24,8 @@ constexpr Duration receiver_found_after = std::chrono::seconds{2};
 constexpr Duration flat_fix_lasts = std::chrono::seconds{1};
 constexpr Duration time_question_interval = std::chrono::seconds{10};
 
-SatelliteFix fix_at(Duration since_boot, const VehicleConfig& config) {
+SatelliteFix fix_at(Duration since_boot, const VehicleConfig& config, bool hears_satellites) {
+  if (!hears_satellites) return config.personality == Personality::px4 ? SatelliteFix::no_receiver : SatelliteFix::none;
   if (since_boot >= config.fix_after) return SatelliteFix::full;
   if (since_boot >= config.fix_after - flat_fix_lasts) return SatelliteFix::flat;
   return since_boot >= receiver_found_after ? SatelliteFix::none : SatelliteFix::no_receiver;
@@ -42,10 +44,13 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       memory_{memory},
       boot_{boot},
       sensors_{config.seed, config.noise},
+      navigation_{config.personality, config.position_after, config.seed},
       flight_{{config.personality, config.type},
-              default_flight_settings({config.personality, config.type}),
+              flight_settings({config.personality, config.type}, memory.parameters),
               config.fly_square,
               config.square},
+      failsafes_{{config.personality, config.type},
+                 failsafe_settings({config.personality, config.type}, memory.parameters)},
       sender_{config.version, config.system, config.component},
       text_numbers_{config.personality},
       rates_{telemetry_rows(config.personality, config.version)},
@@ -59,14 +64,19 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
 
 void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out) {
   auto speaker = speaker_to(out);
+  take_over_parameters();
+  failsafes_.step(now - boot_, navigation_.has_position() || !navigation_.ever_had_position(), flight_, airframe,
+                  facts_);
   flight_.step(now - boot_, airframe, facts_);
   tell_facts(speaker);
 }
 
-void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airframe, Outbox<Frame>& out) {
+void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airframe, bool hears_satellites,
+                       Outbox<Frame>& out) {
   auto speaker = speaker_to(out);
   snapshot_.since_boot = now - boot_;
-  update(airframe, step);
+  navigation_.step(snapshot_.since_boot, hears_satellites);
+  update(airframe, step, hears_satellites);
   tell_progress(speaker);
   if (!speaks_v09()) {
     take_over_plans(speaker);
@@ -82,7 +92,7 @@ void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airfra
 }
 
 /// What it knows from now on.
-void Autopilot::update(const Airframe& airframe, std::uint64_t step) {
+void Autopilot::update(const Airframe& airframe, std::uint64_t step, bool hears_satellites) {
   const auto& truth = airframe.state();
   auto& known = snapshot_;
   known.is_ready = known.since_boot >= config_.ready_after;
@@ -91,35 +101,55 @@ void Autopilot::update(const Airframe& airframe, std::uint64_t step) {
   known.mode = flight_.mode();
   known.landed_state = flight_.landed_state(truth);
   known.readings = sensors_.read(truth, step);
+  known.readings.position = displaced(known.readings.position, navigation_.error());
   known.target = flight_.target(airframe);
   known.throttle = truth.throttle;
   known.battery = truth.battery;
+  known.charge = failsafes_.charge_state();
+  known.is_in_trouble = failsafes_.is_active();
+  known.wind = truth.wind;
   known.mission = mission_progress();
   gimbal_.step(known.readings.position, known.readings.attitude, flight_.mission().region_of_interest());
   known.gimbal = gimbal_.state();
 
-  if (known.since_boot % satellite_interval == Duration{}) {
-    const auto fix = fix_at(known.since_boot, config_);
-    known.satellites = {fix, known.since_boot, sensors_.read_satellites(truth, step)};
-  }
+  if (known.since_boot % satellite_interval == Duration{}) update_satellites(truth, step, hears_satellites);
   known.utc.reset();
   if (known.satellites.fix == SatelliteFix::full)
     known.utc = config_.power_on +
                 std::chrono::duration_cast<std::chrono::microseconds>((boot_ - Timestamp{}) + known.since_boot);
 
-  known.has_position = known.since_boot >= config_.position_after;
-  flight_.set_has_position(known.has_position);
-  if (has_just_passed(config_.position_after)) {
+  known.found_position = !known.has_position && navigation_.ever_had_position();
+  known.has_position = navigation_.ever_had_position();
+  known.trusts_position = navigation_.has_position();
+  flight_.set_has_position(navigation_.has_position());
+  if (known.found_position) {
     known.origin = truth.position;
-    flight_.set_home(truth.position);
+    known.origin.altitude_msl = config_.start.altitude_msl;  // also of one that has started anew in the air
+    flight_.set_home(known.origin);
     keep_home();
   }
   known.home = flight_.home();
 }
 
+/// Without satellites it shows where it last saw them.
+void Autopilot::update_satellites(const AirframeState& truth, std::uint64_t step, bool hears_satellites) {
+  auto& known = snapshot_.satellites;
+  known.fix = fix_at(snapshot_.since_boot, config_, hears_satellites);
+  known.at = snapshot_.since_boot;
+  if (known.fix >= SatelliteFix::flat) known.reading = sensors_.read_satellites(truth, step);
+}
+
+void Autopilot::take_over_parameters() {
+  const auto& parameters = memory_.parameters;
+  if (parameter_change_ == parameters.changes()) return;
+  parameter_change_ = parameters.changes();
+  flight_.set_settings(flight_settings(flight_.kind(), parameters));
+  failsafes_.set_settings(failsafe_settings(flight_.kind(), parameters));
+}
+
 void Autopilot::tell_progress(Speaker& speaker) {
   if (has_just_passed(config_.ready_after) && !is_px4()) speaker.say(messages::MAV_SEVERITY_INFO, "ArduPilot Ready");
-  if (!has_just_passed(config_.position_after)) return;
+  if (!snapshot_.found_position) return;
   send_row(messages::GpsGlobalOrigin::info.id, speaker);
   send_row(messages::HomePosition::info.id, speaker);
   if (is_px4()) return speaker.say(messages::MAV_SEVERITY_INFO, "Ready for takeoff!\t");
@@ -187,6 +217,10 @@ void Autopilot::on_message(Timestamp now, const mavlink::FrameView& frame, Call&
       return handle(messages::SetPositionTargetGlobalInt{}, on_setpoint);
     case messages::SetPositionTargetLocalNed::info.id.value:
       return handle(messages::SetPositionTargetLocalNed{}, on_setpoint);
+    case messages::Heartbeat::info.id.value:
+      if (mavlink::decode<messages::Heartbeat>(frame).type == messages::MAV_TYPE_GCS)
+        failsafes_.on_station_heartbeat(now - boot_);
+      return;
     case messages::MissionSetCurrent::info.id.value: return on_set_current(frame, call);
     case messages::RequestDataStream::info.id.value:
       return request_stream(mavlink::decode<messages::RequestDataStream>(frame));

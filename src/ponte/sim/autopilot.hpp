@@ -7,12 +7,14 @@
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/sim/command.hpp"
 #include "ponte/sim/config.hpp"
+#include "ponte/sim/failsafe.hpp"
 #include "ponte/sim/file_server.hpp"
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/flight_fact.hpp"
 #include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/message_rates.hpp"
 #include "ponte/sim/mission_service.hpp"
+#include "ponte/sim/navigation.hpp"
 #include "ponte/sim/onboard_memory.hpp"
 #include "ponte/sim/parameter_service.hpp"
 #include "ponte/sim/setpoint.hpp"
@@ -35,12 +37,16 @@ class Autopilot {
   /// Before the aircraft's step, which leads to `now`: what it has to do.
   void steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out);
   /// After the aircraft's step, at the time of the step: what there is to tell. `step` counts the steps since power-on.
-  void report(Timestamp now, std::uint64_t step, const Airframe& airframe, Outbox<Frame>& out);
+  void report(Timestamp now, std::uint64_t step, const Airframe& airframe, bool hears_satellites, Outbox<Frame>& out);
 
   /// A frame from outside, of a known message and with the right checksum. An autopilot of MAVLink 0.9 understands no
   /// other version, and the others do not understand that one.
   void on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out);
 
+  /// Metres from where it is to where it believes to be.
+  [[nodiscard]] const NorthEastDown& position_error() const { return navigation_.error(); }
+  /// It has stopped the motors for good.
+  [[nodiscard]] bool is_terminated() const { return failsafes_.is_terminated(); }
   /// It was told to start anew, and has said that it will.
   [[nodiscard]] bool wants_reboot() const { return wants_reboot_; }
 
@@ -116,7 +122,9 @@ class Autopilot {
   void answer_time(Timestamp now, const mavlink::autopilots::Timesync& request, Speaker& speaker);
   void ask_time(Timestamp now, Speaker& speaker);
   void answer_ping(const mavlink::FrameView& frame, Call& call) const;
-  void update(const Airframe& airframe, std::uint64_t step);
+  void update(const Airframe& airframe, std::uint64_t step, bool hears_satellites);
+  void update_satellites(const AirframeState& truth, std::uint64_t step, bool hears_satellites);
+  void take_over_parameters();
   void tell_progress(Speaker& speaker);
   void tell_facts(Speaker& speaker);
   [[nodiscard]] Speaker speaker_to(Outbox<Frame>& out) { return {config_.version, sender_, text_numbers_, out}; }
@@ -137,7 +145,9 @@ class Autopilot {
   OnboardMemory& memory_;
   Timestamp boot_;
   Sensors sensors_;
+  Navigation navigation_;
   Flight flight_;
+  Failsafes failsafes_;
   Outbox<FlightFact> facts_{most_facts};  // of one call of `flight_`
   FrameSender sender_;
   TextNumbers text_numbers_;
@@ -149,6 +159,8 @@ class Autopilot {
   FileServer files_;
   Snapshot snapshot_;                              // of the last step
   std::optional<std::uint32_t> mission_change_{};  // the number of what the flight has been given
+  std::optional<std::uint32_t> fence_change_{};
+  std::uint32_t parameter_change_{};
   std::optional<Running> running_;
   std::uint32_t pings_{};
   bool wants_reboot_{};

@@ -30,6 +30,10 @@ void Autopilot::take_over_plans(Speaker& speaker) {
     flight_.set_mission(missions.items(PlanType::mission));
     snapshot_.mission = mission_progress();
   }
+  if (fence_change_ != missions.changes(PlanType::fence)) {
+    fence_change_ = missions.changes(PlanType::fence);
+    failsafes_.set_fence(missions.items(PlanType::fence));
+  }
   if (is_px4()) return;
   parameters_.announce("MIS_TOTAL", static_cast<double>(missions.items(PlanType::mission).size()), speaker);
   parameters_.announce("FENCE_TOTAL", static_cast<double>(missions.items(PlanType::fence).size()), speaker);

@@ -47,9 +47,14 @@ std::uint8_t Autopilot::arm(Call& call) {
 
 /// In each autopilot's words; nothing if it may arm.
 std::string_view Autopilot::reason_not_to_arm(std::array<char, 50>& buffer) const {
-  if (!snapshot_.has_position && is_px4()) return "Arming denied: Resolve system health failures first\t";
+  if (is_px4() && (!snapshot_.trusts_position || failsafes_.refuses_to_arm()))
+    return "Arming denied: Resolve system health failures first\t";
   if (!snapshot_.is_ready) return "Arm: System not initialised";
-  if (!snapshot_.has_position) return "Arm: Need Position Estimate";
+  if (!snapshot_.has_position || !snapshot_.trusts_position) return "Arm: Need Position Estimate";
+  if (const auto reason = failsafes_.refuses_to_arm()) {
+    const auto size = fmt::format_to_n(buffer.data(), buffer.size(), "Arm: {}", *reason).size;
+    return {buffer.data(), std::min(size, buffer.size())};
+  }
   const auto& mode = flight_mode_info(flight_.kind(), flight_.mode());
   if (mode.armable) return {};
   const auto* form = is_px4() ? "Arming denied: not possible in {}\t" : "Arm: {} mode not armable";

@@ -4,7 +4,10 @@
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/sim/airframe.hpp"
 #include "ponte/sim/copter.hpp"
+#include "ponte/sim/faults.hpp"
 #include "ponte/sim/personality.hpp"
+#include "ponte/sim/plane.hpp"
+#include "ponte/sim/wind.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,14 +48,17 @@ struct VehicleConfig {
 
   AirframeType type{AirframeType::copter};
   CopterConfig copter{};
+  PlaneConfig plane{};
+  WindConfig wind{};
+  std::vector<Fault> faults{};
   bool fly_square{true};  ///< in GUIDED, once it is armed; otherwise it waits for NAV_TAKEOFF, and holds
   SquareConfig square{};
 
   std::vector<ParameterSetting> parameters{};  ///< that this autopilot has
   std::optional<std::size_t> mission_items{};  ///< the most of a mission; nothing: as many as the real autopilot takes
 
-  std::uint64_t seed{1};
-  double noise{1};  ///< of the sensors: 0 none, 1 what good ones have
+  std::uint64_t seed{1};  ///< of the sensors' noise, the gusts, and what is believed without satellites
+  double noise{1};        ///< of the sensors: 0 none, 1 what good ones have
 };
 
 }  // namespace ponte::sim

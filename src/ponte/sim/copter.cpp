@@ -22,6 +22,7 @@ constexpr double nearly_stopped = 0.3;             // m/s
 constexpr double stopping_speed = 1.0;             // m/s, at least, back to the place where it stops
 constexpr double above_landing_place = 0.5;        // m
 constexpr double turns_beyond = 2.0;               // m to the target: nearer, the heading stays
+constexpr double hardest_landing = 3.0;            // m/s
 constexpr double final_descent_height = 10.0;      // m
 
 constexpr double drag = 0.25;  // 1/s: deceleration in m/s^2 per m/s of airspeed
@@ -280,6 +281,7 @@ void Copter::tilt(const Attitude& before) {
 }
 
 void Copter::touch_down() {
+  state_.crashed = state_.velocity.down > hardest_landing;
   state_.airborne = false;
   state_.position.altitude_msl = Metres{ground_};
   state_.velocity = {};

@@ -34,6 +34,7 @@ class Copter final : public Airframe {
   void land(const std::optional<Position>& place) override;
   void sink() override;
   void face(const Facing& facing) override;
+  void lose_charge(double all_but) override { battery_.lose_all_but(all_but); }
 
   void step(const Conditions& conditions) override;
 

@@ -43,6 +43,10 @@ bool Flight::enter(FlightMode mode, Duration now, Airframe& airframe, Outbox<Fli
   return true;
 }
 
+void Flight::restart(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  begin(context(now, airframe, facts));
+}
+
 bool Flight::may_enter(FlightMode mode, const FlightContext& flight) const {
   if (!has_mode(kind_, mode)) return false;
   const bool is_offboard = flight.is_px4() && mode == guided;
@@ -86,7 +90,7 @@ void Flight::begin(const FlightContext& flight) {
   if (!state.airborne) return;
   switch (mode_) {
     case rtl: leg_ = Leg::home; return return_.begin(flight);
-    case land: leg_ = Leg::land; return has_position_ ? airframe.land(std::nullopt) : airframe.sink();
+    case land: leg_ = Leg::land; return land_here(flight);
     case circle: {
       const double heading = state.attitude.heading.value;
       const double radius = settings_.loiter_radius.value;
@@ -192,6 +196,7 @@ void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
     return;
   }
   if (state.airborne != was_airborne_) on_ground_left_or_reached(flight);
+  if (!state.armed) return;
   const bool flies_mission = leg_ == Leg::mission && !mission_.is_finished();
   if (state.airborne || leg_ == Leg::take_off || flies_mission || (leg_ == Leg::guided && flight.is_px4()))
     fly(flight);
@@ -203,9 +208,17 @@ void Flight::on_ground_left_or_reached(const FlightContext& flight) {
   was_airborne_ = flight.airframe.state().airborne;
   has_landed_ = !was_airborne_;
   idle_since_ = flight.now;
+  if (has_landed_ && flight.airframe.state().crashed) return crash(flight);
   if (has_landed_ && leg_ != Leg::mission) leg_ = Leg::none;
   if (!flight.is_px4()) return;
   flight.facts.push(notice(messages::MAV_SEVERITY_INFO, "{} detected\t", has_landed_ ? "Landing" : "Takeoff"));
+}
+
+void Flight::crash(const FlightContext& flight) {
+  flight.airframe.disarm();
+  on_disarmed();
+  flight.facts.push(notice(messages::MAV_SEVERITY_CRITICAL, "{}",
+                           flight.is_px4() ? "Crash detected, disarmed\t" : "Crash: Disarming"));
 }
 
 void Flight::fly(const FlightContext& flight) {
@@ -226,9 +239,19 @@ void Flight::fly(const FlightContext& flight) {
       if (mission_.wants_return()) change_mode(rtl, flight);
       return;
     case Leg::home: return return_.step(flight);
-    case Leg::none:
-    case Leg::land: return;
+    case Leg::land:
+      if (lands_blindly_ == has_position_) land_here(flight);
+      return;
+    case Leg::none: return;
   }
+}
+
+void Flight::land_here(const FlightContext& flight) {
+  lands_blindly_ = !has_position_;
+  if (has_position_)
+    flight.airframe.land(std::nullopt);
+  else
+    flight.airframe.sink();
 }
 
 void Flight::on_taken_off(const FlightContext& flight) {

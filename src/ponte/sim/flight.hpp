@@ -33,6 +33,8 @@ class Flight {
 
   /// False: not possible now, and the mode stays. A mode without a position, where it needs one, is not entered.
   [[nodiscard]] bool enter(FlightMode mode, Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
+  /// Begins its mode anew: one that keeps a place gives up whatever it was going to.
+  void restart(Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
   [[nodiscard]] FlightMode mode() const { return mode_; }
   /// Whether the aircraft knows where it is. Without, it lands where it is, and does not return.
   void set_has_position(bool has_position) { has_position_ = has_position; }
@@ -84,8 +86,10 @@ class Flight {
   void fly(const FlightContext& flight);
   void fly_mission(const FlightContext& flight);
   void fly_square(const FlightContext& flight);
+  void land_here(const FlightContext& flight);
   void on_taken_off(const FlightContext& flight);
   void wait_on_ground(const FlightContext& flight);
+  void crash(const FlightContext& flight);
   void on_ground_left_or_reached(const FlightContext& flight);
   void disarm(const FlightContext& flight);
   void change_mode(FlightMode mode, const FlightContext& flight);
@@ -97,6 +101,7 @@ class Flight {
   Metres height_;  // above home, of take-off and square
   Position home_{};
   bool has_position_{};
+  bool lands_blindly_{};  // without a position
   FlightMode mode_{FlightMode::stabilize};
   Leg leg_{Leg::none};
   MissionFlight mission_;

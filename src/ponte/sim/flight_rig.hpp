@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -53,6 +54,7 @@ class FlightRig {
 
   void step() {
     now_ += Airframe::step_length;
+    if (before_step) before_step(now_, flight_, *airframe_, facts_);
     flight_.step(now_, *airframe_, facts_);
     airframe_->step(conditions_);
     facts_.drain([this](const FlightFact& fact) {
@@ -81,6 +83,8 @@ class FlightRig {
   [[nodiscard]] bool is_flying() const { return state().airborne; }
   Conditions& conditions() { return conditions_; }
   Flight& flight() { return flight_; }
+  /// What an autopilot does before it flies on.
+  std::function<void(Duration, Flight&, Airframe&, Outbox<FlightFact>&)> before_step;
   std::vector<std::string> texts;
   std::vector<unsigned> reached;
 

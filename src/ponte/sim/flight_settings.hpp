@@ -3,6 +3,7 @@
 #include "ponte/core/quantity.hpp"
 #include "ponte/core/time.hpp"
 #include "ponte/sim/flight_mode.hpp"
+#include "ponte/sim/parameters.hpp"
 
 namespace ponte::sim {
 
@@ -26,5 +27,8 @@ struct FlightSettings {
 
 /// With the parameters as they come from the factory.
 [[nodiscard]] FlightSettings default_flight_settings(VehicleKind kind);
+
+/// As these parameters, which are of this kind, have them; what is not among them is as it comes from the factory.
+[[nodiscard]] FlightSettings flight_settings(VehicleKind kind, const Parameters& parameters);
 
 }  // namespace ponte::sim

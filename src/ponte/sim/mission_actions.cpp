@@ -1,19 +1,13 @@
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/sim/mission_flight.hpp"
+#include "ponte/sim/seconds.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 /// What a mission does on the way: speeds, where to look, and the conditions that hold up what comes after them.
 namespace ponte::sim {
 
 namespace messages = mavlink::autopilots;
-
-namespace {
-
-constexpr double longest_delay_s = 1e6;
-
-}  // namespace
 
 void MissionFlight::act(const FlightContext& flight) {
   while (!pending_.empty() && !is_held_up(flight)) {
@@ -39,11 +33,7 @@ void MissionFlight::perform(const MissionItem& item, const FlightContext& flight
     case messages::MAV_CMD_DO_SET_ROI:
     case messages::MAV_CMD_DO_SET_ROI_LOCATION: region_of_interest_ = place_of(item, flight.home); return;
     case messages::MAV_CMD_DO_SET_ROI_NONE: region_of_interest_.reset(); return;
-    case messages::MAV_CMD_CONDITION_DELAY:
-      if (item.param1 > 0)
-        held_until_ = flight.now + std::chrono::duration_cast<Duration>(
-                                       std::chrono::duration<double>{std::min(double{item.param1}, longest_delay_s)});
-      return;
+    case messages::MAV_CMD_CONDITION_DELAY: held_until_ = flight.now + seconds_from(item.param1); return;
     case messages::MAV_CMD_CONDITION_DISTANCE: held_beyond_m_ = item.param1; return;
     case messages::MAV_CMD_CONDITION_YAW: {
       // The fourth parameter says that the angle counts from where the nose points, the third to which side.

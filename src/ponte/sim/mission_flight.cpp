@@ -1,6 +1,7 @@
 #include "ponte/sim/mission_flight.hpp"
 
 #include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/sim/seconds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,6 @@ constexpr double take_off_within = 0.3;        // m: a copter has taken off
 constexpr double plane_altitude_within = 2.0;  // m
 constexpr double on_circle_within = 0.2;       // of the radius
 constexpr int most_items_at_once = 1000;       // that are no flight: more is a mission that jumps in a circle
-
-Duration seconds_of(float parameter) {
-  if (!(parameter > 0)) return {};
-  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>{std::min(double{parameter}, 1e6)});
-}
 
 }  // namespace
 
@@ -123,11 +119,11 @@ void MissionFlight::start_leg(const MissionItem& item, const FlightContext& flig
     case messages::MAV_CMD_NAV_WAYPOINT:
     case messages::MAV_CMD_NAV_SPLINE_WAYPOINT:
       leg_ = Leg::travel;
-      if (!flight.is_plane()) wait_ = seconds_of(item.param1);
+      if (!flight.is_plane()) wait_ = seconds_from(item.param1);
       return travel(item, flight);
     case messages::MAV_CMD_NAV_LOITER_TIME:
       leg_ = Leg::travel;
-      wait_ = seconds_of(item.param1);
+      wait_ = seconds_from(item.param1);
       return travel(item, flight);
     case messages::MAV_CMD_NAV_LOITER_UNLIM:
       leg_ = Leg::travel;
@@ -143,7 +139,7 @@ void MissionFlight::start_leg(const MissionItem& item, const FlightContext& flig
       return travel(item, flight);
     case messages::MAV_CMD_NAV_DELAY:
       leg_ = Leg::wait;
-      wait_ = seconds_of(item.param1);
+      wait_ = seconds_from(item.param1);
       arrived_at_ = flight.now;
       return airframe.hold();
     case messages::MAV_CMD_NAV_RETURN_TO_LAUNCH:

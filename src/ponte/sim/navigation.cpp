@@ -11,9 +11,9 @@ namespace ponte::sim {
 namespace {
 
 constexpr double dt = std::chrono::duration<double>{Airframe::step_length}.count();
-constexpr double drift_acceleration = 0.1;  // m/s^2
-constexpr double fastest_drift = 3.0;       // m/s
-constexpr double correction = 1.0;          // 1/s, once the satellites are heard again
+constexpr double drift_acceleration = 0.1;                     // m/s^2
+constexpr double fastest_drift = 3.0;                          // m/s
+constexpr double correction = 1.0;                             // 1/s, once the satellites are heard again
 constexpr std::uint64_t drift_stream = 0x4452'4946'5444'5249;  // apart from what else is drawn from the seed
 
 // Seen in recordings of both.

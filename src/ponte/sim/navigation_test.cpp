@@ -44,8 +44,8 @@ TEST_P(NavigationTest, TrustsItselfForAWhile) {
   wait(seconds{10}, true);
   wait(trust(), false);
   EXPECT_TRUE(navigation_.has_position());
-  EXPECT_NEAR(horizontal(navigation_.error()), 0.05 * std::chrono::duration<double>{trust()}.count() *
-                                                   std::chrono::duration<double>{trust()}.count(),
+  EXPECT_NEAR(horizontal(navigation_.error()),
+              0.05 * std::chrono::duration<double>{trust()}.count() * std::chrono::duration<double>{trust()}.count(),
               0.1)
       << "a drift that grows by 0.1 m/s^2";
   wait(milliseconds{40}, false);

@@ -109,7 +109,8 @@ TEST_P(ArduPilotParameters, AreSetWhateverTheTypeSays) {
 
 TEST_P(ArduPilotParameters, AreReadWithinATenthOfASecond) {
   station_.wait(milliseconds{10});
-  station_.send(messages::ParamRequestRead{.target_system = 1, .param_id = std::string_view{"RTL_ALT"}, .param_index = -1});
+  station_.send(
+      messages::ParamRequestRead{.target_system = 1, .param_id = std::string_view{"RTL_ALT"}, .param_index = -1});
   EXPECT_THAT(station_.all<messages::ParamValue>(), IsEmpty());
   station_.wait(milliseconds{100});
   EXPECT_THAT(station_.all<messages::ParamValue>(), SizeIs(1));

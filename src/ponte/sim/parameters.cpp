@@ -55,6 +55,7 @@ double Parameters::default_value(std::size_t index) const {
 void Parameters::set(std::size_t index, double value) {
   PONTE_ASSERT(std::isfinite(value));
   values_[index] = to_type(value, table_[index].type);
+  ++changes_;
 }
 
 void Parameters::set(std::string_view name, double value) {

@@ -40,6 +40,8 @@ class Parameters {
   /// Of a parameter that this personality has: another name is a mistake of the caller's.
   [[nodiscard]] double value(std::string_view name) const;
 
+  /// Counts the changes.
+  [[nodiscard]] std::uint32_t changes() const { return changes_; }
   /// Takes a finite value, rounded and limited to the type.
   void set(std::size_t index, double value);
   /// As the other `value`, for what the autopilot itself sets.
@@ -48,6 +50,7 @@ class Parameters {
  private:
   std::span<const ParameterInfo> table_;
   std::vector<double> values_;
+  std::uint32_t changes_{};
 };
 
 }  // namespace ponte::sim

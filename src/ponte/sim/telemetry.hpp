@@ -2,6 +2,7 @@
 
 #include "ponte/mavlink/message_info.hpp"
 #include "ponte/sim/battery.hpp"
+#include "ponte/sim/failsafe.hpp"
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/gimbal.hpp"
@@ -40,7 +41,9 @@ struct Snapshot {
   Duration since_boot{};
   std::optional<WallTime> utc{};  ///< nothing before the satellites tell it
   bool is_ready{};                ///< the autopilot has started up
-  bool has_position{};
+  bool has_position{};            ///< it knows where it is, or believes to
+  bool trusts_position{};         ///< it relies on that
+  bool found_position{};          ///< in this step, for the first time
   bool armed{};
   VehicleKind kind{};
   FlightMode mode{};
@@ -52,6 +55,9 @@ struct Snapshot {
   std::optional<Position> target{};  ///< where it is going
   double throttle{};                 ///< 0 to 1
   BatteryState battery{};
+  ChargeState charge{};
+  bool is_in_trouble{};  ///< a failsafe has acted
+  NorthEastDown wind{};  ///< m/s, where the air goes
   mavlink::SystemId system{};
   MissionProgress mission{};
   GimbalState gimbal{};

@@ -127,10 +127,14 @@ messages::GpsRawInt gps_raw(const Snapshot& snapshot) {
   messages::GpsRawInt message{.fix_type = static_cast<std::uint8_t>(fix), .eph = unknown, .epv = unknown};
   if (fix == SatelliteFix::no_receiver) return message;
   message.time_usec = microseconds(at);
-  if (fix == SatelliteFix::none) return message;
+  const auto& [position, velocity] = reading;
+  if (fix == SatelliteFix::none) {  // where it last saw them, if it ever did
+    message.lat = degrees_e7(position.latitude);
+    message.lon = degrees_e7(position.longitude);
+    return message;
+  }
 
   const bool is_full = fix == SatelliteFix::full;
-  const auto& [position, velocity] = reading;
   message.lat = degrees_e7(position.latitude);
   message.lon = degrees_e7(position.longitude);
   message.alt = scaled<std::int32_t>(position.altitude_msl.value, millimetres);
@@ -167,10 +171,12 @@ messages::ScaledPressure scaled_pressure(const Snapshot& snapshot) {
   };
 }
 
-/// The air is still. ArduCopter tells that with this direction.
+/// Of still air, ArduPilot tells this direction.
 std::optional<messages::Wind> wind(const Snapshot& snapshot) {
   if (!snapshot.has_position) return std::nullopt;
-  return messages::Wind{.direction = -180};
+  const auto& wind = snapshot.wind;
+  return messages::Wind{.direction = static_cast<float>(std::atan2(-wind.east, -wind.north) * degrees_per_radian),
+                        .speed = static_cast<float>(horizontal(wind))};
 }
 
 }  // namespace ponte::sim

@@ -27,6 +27,7 @@ std::uint8_t base_mode(const Snapshot& snapshot) {
 
 /// Unlike ArduPilot's: before the checks pass it is uninitialised, and armed on the ground it is active.
 std::uint8_t system_status(const Snapshot& snapshot) {
+  if (snapshot.is_in_trouble) return messages::MAV_STATE_CRITICAL;
   if (snapshot.armed) return messages::MAV_STATE_ACTIVE;
   return snapshot.has_position ? messages::MAV_STATE_STANDBY : messages::MAV_STATE_UNINIT;
 }

@@ -33,6 +33,7 @@ std::uint8_t base_mode(const Snapshot& snapshot) {
 
 std::uint8_t system_status(const Snapshot& snapshot) {
   if (!snapshot.is_ready) return messages::MAV_STATE_BOOT;
+  if (snapshot.is_in_trouble) return messages::MAV_STATE_CRITICAL;
   return snapshot.landed_state == LandedState::on_ground ? messages::MAV_STATE_STANDBY : messages::MAV_STATE_ACTIVE;
 }
 
@@ -84,7 +85,8 @@ messages::BatteryStatus battery_status(const Snapshot& snapshot) {
       .current_consumed = scaled<std::int32_t>(snapshot.battery.consumed_ampere_hours, 1e3),
       .energy_consumed = scaled<std::int32_t>(snapshot.battery.consumed_joules, 1e-2),
       .battery_remaining = percent(snapshot.battery),
-      .charge_state = messages::MAV_BATTERY_CHARGE_STATE_OK,
+      .charge_state =
+          static_cast<std::uint8_t>(messages::MAV_BATTERY_CHARGE_STATE_OK + static_cast<unsigned>(snapshot.charge)),
   };
   message.voltages.fill(no_cell);
   message.voltages[0] = millivolts(snapshot.battery);  // of the whole pack: the cells are not measured
