@@ -42,7 +42,7 @@ constexpr FlightSettings ardu_plane{
 
 constexpr FlightSettings px4_copter{
     .cruise_speed = MetresPerSecond{5},
-    .acceptance_radius = Metres{2},
+    .acceptance_radius = Metres{10},
     .loiter_radius = Metres{80},
     .take_off_height = Metres{2.5},
     .mode_takes_off = true,
