@@ -40,9 +40,15 @@ def vsm(programs: Path) -> list[Figure]:
     ]
 
 
+def sim(programs: Path) -> list[Figure]:
+    """Seconds of one core for each second in which 200 vehicles fly: below 1 is real time."""
+    return [Figure("sim", case, value, "s/s", target=1) for case, value in measured_by(programs / "bench_sim").items()]
+
+
 BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
     "mavlink": mavlink.figures,
     "vsm": vsm,
+    "sim": sim,
     "page": page.figures,
     "planning": planning.figures,
 }
