@@ -53,11 +53,11 @@ std::span<const TelemetryRow> telemetry_rows(Personality personality, mavlink::V
   return personality == Personality::px4 ? telemetry_rows_px4() : rows;
 }
 
-std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> rows, mavlink::MessageId id) {
+std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> table, mavlink::MessageId id) {
   const auto found =
-      std::find_if(rows.begin(), rows.end(), [=](const TelemetryRow& each) { return each.info->id == id; });
-  if (found == rows.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - rows.begin());
+      std::find_if(table.begin(), table.end(), [=](const TelemetryRow& each) { return each.info->id == id; });
+  if (found == table.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - table.begin());
 }
 
 }  // namespace ponte::sim
