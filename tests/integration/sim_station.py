@@ -50,20 +50,31 @@ class Station:
             if answer.command == number and answer.result != mavlink.MAV_RESULT_IN_PROGRESS:
                 return int(answer.result)
 
+    def silence_telemetry(self) -> None:
+        """Of PX4: what it sends 50 times a second is not to take this program's time."""
+        for number in (30, 31, 83, 33, 32, 85, 36):
+            for _ in range(5):  # some of them are lost
+                self.send(
+                    mavlink.MAVLink_command_long_message(
+                        SYSTEM, COMPONENT, mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, 0, number, -1, 0, 0, 0, 0, 0
+                    )
+                )
+
     def until_position(self) -> None:
         """The vehicle tells its home only when it knows where it is."""
         while self.command(mavlink.MAV_CMD_GET_HOME_POSITION) != mavlink.MAV_RESULT_ACCEPTED:
             time.sleep(0.05)
 
     def upload(self, items: list[Any], kind: int = 0) -> None:
-        """Answers each request, and says again what was not answered; begins anew when it is refused."""
+        """Answers each request, and says again what was not answered. Refused, it begins anew, unless it was about the
+        last item: then that is on board, and only the acknowledgement was lost."""
         count = mavlink.MAVLink_mission_count_message(SYSTEM, COMPONENT, len(items), kind)
         last = count
         self.send(count)
         while True:
             answer = self.next("MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK", patience_s=self.patience_s)
             if answer is not None and answer.get_type() == "MISSION_ACK":
-                if answer.type == mavlink.MAV_MISSION_ACCEPTED:
+                if answer.type == mavlink.MAV_MISSION_ACCEPTED or last is items[-1]:
                     return
                 if answer.type == mavlink.MAV_MISSION_INVALID_SEQUENCE:
                     continue

@@ -32,6 +32,7 @@ constexpr std::array rows{
     telemetry_row<gimbal_attitude>({Stream::extra3}),
     telemetry_row<gimbal_manager_status>({Stream::none, std::chrono::seconds{5}}),
     telemetry_row<gimbal_manager_information>({Stream::none}),
+    telemetry_row<gimbal_device_information>({Stream::none}),
     telemetry_row<mount_orientation>({Stream::none}),
     telemetry_row<system_time>({Stream::extra3}),
     telemetry_row<battery_status>({Stream::extra3}),
@@ -53,11 +54,11 @@ std::span<const TelemetryRow> telemetry_rows(Personality personality, mavlink::V
   return personality == Personality::px4 ? telemetry_rows_px4() : rows;
 }
 
-std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> rows, mavlink::MessageId id) {
+std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> among, mavlink::MessageId id) {
   const auto found =
-      std::find_if(rows.begin(), rows.end(), [=](const TelemetryRow& each) { return each.info->id == id; });
-  if (found == rows.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - rows.begin());
+      std::find_if(among.begin(), among.end(), [=](const TelemetryRow& each) { return each.info->id == id; });
+  if (found == among.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - among.begin());
 }
 
 }  // namespace ponte::sim

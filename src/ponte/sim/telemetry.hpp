@@ -77,6 +77,6 @@ struct TelemetryRow {
 [[nodiscard]] std::span<const TelemetryRow> telemetry_rows_px4();
 [[nodiscard]] std::span<const TelemetryRow> telemetry_rows_v09();
 /// The place among these rows of the message with this id, or nothing.
-[[nodiscard]] std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> rows, mavlink::MessageId id);
+[[nodiscard]] std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> among, mavlink::MessageId id);
 
 }  // namespace ponte::sim

@@ -29,6 +29,23 @@ std::optional<messages::GimbalManagerInformation> gimbal_manager_information(con
   };
 }
 
+std::optional<messages::GimbalDeviceInformation> gimbal_device_information(const Snapshot& snapshot) {
+  if (!snapshot.gimbal.is_fitted) return std::nullopt;
+  return messages::GimbalDeviceInformation{
+      .time_boot_ms = boot_ms(snapshot),
+      .vendor_name = std::string_view{"Ponte"},
+      .model_name = std::string_view{"simulated"},
+      .cap_flags = messages::GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_AXIS | messages::GIMBAL_DEVICE_CAP_FLAGS_HAS_PITCH_LOCK |
+                   messages::GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_AXIS | messages::GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_FOLLOW |
+                   messages::GIMBAL_DEVICE_CAP_FLAGS_HAS_YAW_LOCK,
+      .pitch_min = limit(Gimbal::lowest),
+      .pitch_max = limit(Gimbal::highest),
+      .yaw_min = -limit(Gimbal::farthest),
+      .yaw_max = limit(Gimbal::farthest),
+      .gimbal_device_id = device,
+  };
+}
+
 std::optional<messages::GimbalManagerStatus> gimbal_manager_status(const Snapshot& snapshot) {
   const auto& gimbal = snapshot.gimbal;
   if (!gimbal.is_fitted) return std::nullopt;

@@ -12,6 +12,7 @@
 #include "ponte/mavlink/autopilots/estimator_status.hpp"
 #include "ponte/mavlink/autopilots/extended_sys_state.hpp"
 #include "ponte/mavlink/autopilots/gimbal_device_attitude_status.hpp"
+#include "ponte/mavlink/autopilots/gimbal_device_information.hpp"
 #include "ponte/mavlink/autopilots/gimbal_manager_information.hpp"
 #include "ponte/mavlink/autopilots/gimbal_manager_status.hpp"
 #include "ponte/mavlink/autopilots/global_position_int.hpp"
@@ -84,6 +85,7 @@ namespace messages = mavlink::autopilots;
 
 // The gimbal.
 [[nodiscard]] std::optional<messages::GimbalManagerInformation> gimbal_manager_information(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::GimbalDeviceInformation> gimbal_device_information(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::GimbalManagerStatus> gimbal_manager_status(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::GimbalDeviceAttitudeStatus> gimbal_attitude(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::MountOrientation> mount_orientation(const Snapshot& snapshot);

@@ -69,6 +69,7 @@ constexpr std::array rows{
     telemetry_row<gimbal_attitude>(every(200)),
     telemetry_row<gimbal_manager_status>(every(5000)),
     telemetry_row<gimbal_manager_information>({}),
+    telemetry_row<gimbal_device_information>({}),
     telemetry_row<mount_orientation>({}),
     telemetry_row<rc_channels>({}),
     telemetry_row<raw_imu>({}),

@@ -208,8 +208,8 @@ messages::AutopilotVersion autopilot_version(const Snapshot& snapshot) {
                       messages::MAV_PROTOCOL_CAPABILITY_MISSION_INT | messages::MAV_PROTOCOL_CAPABILITY_COMMAND_INT |
                       messages::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED |
                       messages::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT |
-                      messages::MAV_PROTOCOL_CAPABILITY_MAVLINK2 | messages::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE |
-                      messages::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY,
+                      messages::MAV_PROTOCOL_CAPABILITY_FTP | messages::MAV_PROTOCOL_CAPABILITY_MAVLINK2 |
+                      messages::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE | messages::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY,
       .flight_sw_version = 0x0407'0000,  // 4.7.0, a development version
       .flight_custom_version = {'p', 'o', 'n', 't', 'e', '-', 's', 'i'},
       .uid = snapshot.system.value,

@@ -2,6 +2,7 @@
 #include "support/world/pilot.hpp"
 #include "support/world/vehicle_node.hpp"
 
+#include "ponte/core/degrees.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 
 #include <fmt/format.h>
@@ -30,12 +31,12 @@ int world_count() {
 double between(Random& random, double least, double most) { return least + (most - least) * random.unit(); }
 
 MissionItem item(std::uint16_t command, double north, double east, float height, const sim::Position& home) {
-  const double latitude = degrees_from(home.latitude) + north / metres_per_degree;
+  const double latitude = degrees_from_radians(home.latitude) + north / metres_per_degree;
   const double shrink = std::cos(home.latitude.value);
-  const double longitude = degrees_from(home.longitude) + east / metres_per_degree / shrink;
+  const double longitude = degrees_from_radians(home.longitude) + east / metres_per_degree / shrink;
   return {.target_system = 1,
           .target_component = 1,
-          .frame = messages::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT,
+          .frame = messages::MAV_FRAME_GLOBAL_RELATIVE_ALT,
           .command = command,
           .autocontinue = 1,
           .x = static_cast<std::int32_t>(std::llround(latitude * 1e7)),
@@ -57,8 +58,10 @@ std::vector<MissionItem> random_mission(Random& random, const sim::VehicleConfig
     items.push_back(item(messages::MAV_CMD_NAV_WAYPOINT, north, east, height, home));
     items.back().param1 = static_cast<float>(random.below(4));
   }
-  items.push_back(random.chance(0.5) ? item(messages::MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0, 0, home)
-                                     : item(messages::MAV_CMD_NAV_LAND, 0, 0, 0, home));
+  // A plane that returns goes round until somebody lands it.
+  const bool may_return = vehicle.type == sim::AirframeType::copter;
+  items.push_back(may_return && random.chance(0.5) ? item(messages::MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0, 0, home)
+                                                   : item(messages::MAV_CMD_NAV_LAND, 0, 0, 0, home));
   for (std::size_t i = 0; i < items.size(); ++i) items[i].seq = static_cast<std::uint16_t>(i);
   return items;
 }
@@ -74,9 +77,18 @@ ChannelConfig random_radio(Random& random) {
   return radio;
 }
 
+sim::WindConfig random_wind(Random& random) {
+  sim::WindConfig wind{.speed = MetresPerSecond{between(random, 0, 8)}};
+  wind.from = radians_from_degrees(between(random, 0, 360));
+  wind.gusts = random.chance(0.5) ? 0.2 : 0;
+  return wind;
+}
+
 sim::VehicleConfig random_vehicle(Random& random) {
   sim::VehicleConfig vehicle{.fly_square = false};
   vehicle.personality = random.chance(0.5) ? sim::Personality::px4 : sim::Personality::ardupilot;
+  if (vehicle.personality == sim::Personality::ardupilot && random.chance(0.4)) vehicle.type = sim::AirframeType::plane;
+  if (random.chance(0.7)) vehicle.wind = random_wind(random);
   vehicle.seed = random.next();
   return vehicle;
 }
@@ -94,7 +106,8 @@ class FlightWorld {
     vehicle_ = &world_.add<VehicleNode>("vehicle", config_);
     mission_ = random_mission(random_, config_);
     pilot_ = &world_.add<Pilot>(
-        "pilot", PilotConfig{.vehicle = config_.system, .personality = config_.personality, .mission = mission_});
+        "pilot",
+        PilotConfig{.vehicle = config_.system, .kind = {config_.personality, config_.type}, .mission = mission_});
     link_ = world_.connect(*vehicle_, *pilot_, random_radio(random_));
     plan_faults();
     world_.require("nothing flies below the ground", [this]() -> std::optional<std::string> {
@@ -124,22 +137,31 @@ class FlightWorld {
     totals.faults += faults_;
     if (pilot_->started())
       totals.hours += std::chrono::duration<double, std::ratio<3600>>{world_.now() - *pilot_->started()}.count();
-    if (!is_done)
+    // A plane whose failsafe sends it home goes round there.
+    const bool may_stay = config_.type == sim::AirframeType::plane && faults_ > 0;
+    if (!is_done && !may_stay)
       throw BrokenProperty{fmt::format("after {:.0f} s the pilot is still at: {}",
                                        std::chrono::duration<double>{world_.now().time_since_epoch()}.count(),
                                        name_of(pilot_->phase()))};
-    if (truth().airborne) throw BrokenProperty{"the pilot is done, but the vehicle is in the air"};
+    if (is_done && truth().airborne) throw BrokenProperty{"the pilot is done, but the vehicle is in the air"};
   }
 
  private:
   [[nodiscard]] const sim::AirframeState& truth() const { return vehicle_->vehicle().truth(); }
 
   void plan_faults() {
+    using enum sim::FaultKind;
+    constexpr std::array kinds{battery_low, battery_critical, gps_loss, motor};
     for (auto count = random_.below(3); count > 0; --count) {
       ++faults_;
-      const auto at = Timestamp{seconds{15 + random_.below(240)}};
+      const auto at = seconds{15 + random_.below(240)};
       const auto lasts = seconds{1 + random_.below(40)};
-      world_.at(at, [this, at, lasts] { world_.cut(link_, at + lasts); });
+      if (random_.chance(0.5)) {
+        world_.at(Timestamp{at}, [this, end = Timestamp{at + lasts}] { world_.cut(link_, end); });
+        continue;
+      }
+      const auto kind = kinds[random_.below(kinds.size())];
+      vehicle_->vehicle().inject({kind, at, kind == gps_loss ? std::optional<Duration>{lasts} : std::nullopt});
     }
   }
 

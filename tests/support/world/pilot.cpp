@@ -16,6 +16,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 namespace ponte::world {
 
@@ -28,11 +30,19 @@ namespace {
 constexpr Duration heartbeat_period = seconds{1};
 constexpr Duration patience = milliseconds{1500};
 
-/// What an autopilot may store otherwise than it was told: it has been there already, or is there no more.
+/// Two numbers mean the same frame, and each autopilot gives back its own.
+std::uint8_t one_frame(std::uint8_t frame) {
+  return frame == messages::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT ? std::uint8_t{messages::MAV_FRAME_GLOBAL_RELATIVE_ALT}
+                                                              : frame;
+}
+
+/// As far as an autopilot keeps it: ArduPilot stores whole centimetres.
 bool is_same(const MissionItem& sent, const MissionItem& stored) {
-  return std::tie(sent.frame, sent.command, sent.x, sent.y, sent.z) ==
-             std::tie(stored.frame, stored.command, stored.x, stored.y, stored.z) &&
-         std::tie(sent.param1, sent.param2, sent.param3) == std::tie(stored.param1, stored.param2, stored.param3);
+  constexpr float centimetre = 0.011F;
+  const auto told = [](const MissionItem& item) {
+    return std::tuple{one_frame(item.frame), item.command, item.param1, item.param2, item.param3, item.x, item.y};
+  };
+  return told(sent) == told(stored) && std::abs(sent.z - stored.z) < centimetre;
 }
 
 }  // namespace
@@ -82,8 +92,8 @@ void Pilot::act() {
       if (!wanted_item_) return send(messages::MissionRequestList{.target_system = target, .target_component = 1});
       return send(messages::MissionRequestInt{.target_system = target, .target_component = 1, .seq = *wanted_item_});
     case Phase::choosing_mode:
-      if (config_.personality == sim::Personality::px4) return command(messages::MAV_CMD_DO_SET_MODE, {1, 4, 4});
-      return command(messages::MAV_CMD_DO_SET_MODE, {1, 4, 0});
+      if (config_.kind.personality == sim::Personality::px4) return command(messages::MAV_CMD_DO_SET_MODE, {1, 4, 4});
+      return command(messages::MAV_CMD_DO_SET_MODE, {1, is_plane() ? 10.0F : 4.0F, 0});  // AUTO or GUIDED
     case Phase::arming: return command(messages::MAV_CMD_COMPONENT_ARM_DISARM, {1, 0, 0});
     case Phase::starting: return command(messages::MAV_CMD_MISSION_START, {});
     case Phase::looking:
@@ -138,7 +148,7 @@ void Pilot::on_mission_ack(std::uint8_t type) {
 void Pilot::on_mission_item(const MissionItem& item) {
   if (phase_ != Phase::reading_back || !wanted_item_ || item.seq != *wanted_item_) return;
   // ArduPilot keeps its home in the first.
-  const bool is_home = config_.personality == sim::Personality::ardupilot && item.seq == 0;
+  const bool is_home = config_.kind.personality == sim::Personality::ardupilot && item.seq == 0;
   if (!is_home && !is_same(config_.mission[item.seq], item)) difference_ = fmt::format("item {} differs", item.seq);
   if (++*wanted_item_ < config_.mission.size()) return act();
   send(messages::MissionAck{.target_system = config_.vehicle.value, .target_component = 1});
@@ -152,7 +162,7 @@ void Pilot::on_command_ack(const mavlink::FrameView& frame) {
   if (phase_ == Phase::arming && ack.command == messages::MAV_CMD_COMPONENT_ARM_DISARM) {
     started_ = now_;
     was_armed_ = false;
-    const bool starts_by_itself = config_.personality == sim::Personality::px4;
+    const bool starts_by_itself = is_plane() || config_.kind.personality == sim::Personality::px4;
     return go_on_to(starts_by_itself ? Phase::flying : Phase::starting);
   }
   if (phase_ == Phase::starting && ack.command == messages::MAV_CMD_MISSION_START) go_on_to(Phase::flying);

@@ -2,7 +2,7 @@
 
 #include "ponte/mavlink/autopilots/mission_item_int.hpp"
 #include "ponte/mavlink/parser.hpp"
-#include "ponte/sim/personality.hpp"
+#include "ponte/sim/flight_mode.hpp"
 #include "support/world/world.hpp"
 
 #include <array>
@@ -17,7 +17,7 @@ using MissionItem = mavlink::autopilots::MissionItemInt;
 
 struct PilotConfig {
   mavlink::SystemId vehicle{1};
-  sim::Personality personality{};
+  sim::VehicleKind kind{};
   std::vector<MissionItem> mission;  ///< as it is sent, by `seq`
 };
 
@@ -48,6 +48,7 @@ class Pilot final : public Participant, private mavlink::FrameSink {
   void on_mission_ack(std::uint8_t type);
   void on_mission_item(const MissionItem& item);
   void on_command_ack(const mavlink::FrameView& frame);
+  [[nodiscard]] bool is_plane() const { return config_.kind.type == sim::AirframeType::plane; }
   void go_on_to(Phase phase);
   void act();
   void command(std::uint16_t number, const std::array<float, 3>& parameters);
