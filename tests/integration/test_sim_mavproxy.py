@@ -48,8 +48,10 @@ class Mavproxy:
         self.process.stdin.flush()
 
     def until(self, pattern: str, typed: str | None = None) -> None:
-        """Types the line, again every two seconds, until what is printed from now on matches."""
-        start, end, again = len(self.printed), time.monotonic() + HANG_LIMIT_S, 0.0
+        """Types the line, again every two seconds, until what is printed from then on matches; without a line, until
+        anything that has been printed does."""
+        start = 0 if typed is None else len(self.printed)
+        end, again = time.monotonic() + HANG_LIMIT_S, 0.0
         while not re.search(pattern, self.printed[start:]):
             assert time.monotonic() < end and self.process.poll() is None, self.printed[-3000:]
             if typed is not None and time.monotonic() >= again:

@@ -26,7 +26,7 @@ from programs import HANG_LIMIT_S
 PX4, ARDUPILOT = "px4", "ardupilot"
 HOME = (-30.06898, -51.12179)
 ITEMS = 20
-PATIENCE_S = 120  # no judgement of speed: it ends a test that hangs
+PATIENCE_S = 60  # no judgement of speed: it ends a test that hangs
 
 
 @dataclass
