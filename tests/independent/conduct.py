@@ -199,7 +199,7 @@ def compare_rates(
     """Of these types; a message more or less in so many seconds is none."""
     for name in sorted(types - OCCASIONAL):
         before, now = recorded.get(name, 0), simulated.get(name, 0)
-        if abs(before - now) > max(RATE_MARGIN * max(before, now), 1.01 / seconds):
+        if abs(before - now) > max(RATE_MARGIN * max(before, now), 1.1 / seconds):
             yield f"{name} a second", f"{before:g}", f"{now:g}"
 
 

@@ -26,8 +26,9 @@ constexpr Duration time_question_interval = std::chrono::seconds{10};
 
 SatelliteFix fix_at(Duration since_boot, const VehicleConfig& config, bool hears_satellites) {
   if (!hears_satellites) return config.personality == Personality::px4 ? SatelliteFix::no_receiver : SatelliteFix::none;
-  if (since_boot >= config.fix_after) return SatelliteFix::full;
-  if (since_boot >= config.fix_after - flat_fix_lasts) return SatelliteFix::flat;
+  const auto fix_after = start_times(config.personality).fix;
+  if (since_boot >= fix_after) return SatelliteFix::full;
+  if (since_boot >= fix_after - flat_fix_lasts) return SatelliteFix::flat;
   return since_boot >= receiver_found_after ? SatelliteFix::none : SatelliteFix::no_receiver;
 }
 
@@ -44,7 +45,7 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       memory_{memory},
       boot_{boot},
       sensors_{config.seed, config.noise},
-      navigation_{config.personality, config.position_after, config.seed},
+      navigation_{config.personality, start_times(config.personality).position, config.seed},
       flight_{{config.personality, config.type},
               flight_settings({config.personality, config.type}, memory.parameters),
               config.fly_square,
@@ -60,6 +61,7 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       virtual_files_{memory.missions, memory.parameters},
       files_{virtual_files_} {
   snapshot_.system = config.system;
+  snapshot_.mode = flight_.mode();
 }
 
 void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out) {
@@ -76,6 +78,7 @@ void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airfra
   auto speaker = speaker_to(out);
   snapshot_.since_boot = now - boot_;
   navigation_.step(snapshot_.since_boot, hears_satellites);
+  tell_mode(speaker);
   update(airframe, step, hears_satellites);
   tell_progress(speaker);
   if (!speaks_v09()) {
@@ -95,7 +98,7 @@ void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airfra
 void Autopilot::update(const Airframe& airframe, std::uint64_t step, bool hears_satellites) {
   const auto& truth = airframe.state();
   auto& known = snapshot_;
-  known.is_ready = known.since_boot >= config_.ready_after;
+  known.is_ready = known.since_boot >= start_times(config_.personality).ready;
   known.armed = truth.armed;
   known.kind = flight_.kind();
   known.mode = flight_.mode();
@@ -148,7 +151,8 @@ void Autopilot::take_over_parameters() {
 }
 
 void Autopilot::tell_progress(Speaker& speaker) {
-  if (has_just_passed(config_.ready_after) && !is_px4()) speaker.say(messages::MAV_SEVERITY_INFO, "ArduPilot Ready");
+  const auto ready_after = start_times(config_.personality).ready;
+  if (has_just_passed(ready_after) && !is_px4()) speaker.say(messages::MAV_SEVERITY_INFO, "ArduPilot Ready");
   if (!snapshot_.found_position) return;
   send_row(messages::GpsGlobalOrigin::info.id, speaker);
   send_row(messages::HomePosition::info.id, speaker);
@@ -169,6 +173,7 @@ void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airfram
     return;
   }
   on_message(now, frame, call);
+  tell_mode(call.speaker);
   take_over_plans(call.speaker);
 }
 
@@ -255,11 +260,20 @@ void Autopilot::answer_ping(const mavlink::FrameView& frame, Call& call) const {
   call.speaker.send(ping);
 }
 
+/// ArduPilot does not wait for the next HEARTBEAT to tell another mode.
+void Autopilot::tell_mode(Speaker& speaker) {
+  if (snapshot_.mode == flight_.mode()) return;
+  snapshot_.mode = flight_.mode();
+  if (!is_px4() && !speaks_v09()) send_row(messages::Heartbeat::info.id, speaker);
+}
+
 void Autopilot::tell_facts(Speaker& speaker) {
   facts_.drain([&](const FlightFact& fact) {
     if (const auto* text = std::get_if<Notice>(&fact)) speaker.say(text->severity, text->text.view());
-    if (const auto* done = std::get_if<ItemReached>(&fact); done != nullptr && !speaks_v09())
-      speaker.send(messages::MissionItemReached{.seq = done->item});
+    if (const auto* done = std::get_if<ItemReached>(&fact); done != nullptr && !speaks_v09()) {
+      snapshot_.reached = {done->item, snapshot_.since_boot};
+      send_row(messages::MissionItemReached::info.id, speaker);
+    }
   });
 }
 

@@ -89,6 +89,7 @@ class Autopilot {
   [[nodiscard]] std::uint8_t enter(FlightMode mode, Call& call);
   [[nodiscard]] std::uint8_t reposition(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t start_mission(const Command& command, Call& call);
+  [[nodiscard]] std::uint8_t pause_or_continue(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t set_mission_item(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t change_speed(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t set_home(const Command& command, Call& call);
@@ -126,6 +127,7 @@ class Autopilot {
   void update_satellites(const AirframeState& truth, std::uint64_t step, bool hears_satellites);
   void take_over_parameters();
   void tell_progress(Speaker& speaker);
+  void tell_mode(Speaker& speaker);
   void tell_facts(Speaker& speaker);
   [[nodiscard]] Speaker speaker_to(Outbox<Frame>& out) { return {config_.version, sender_, text_numbers_, out}; }
 

@@ -35,6 +35,7 @@ std::uint8_t Autopilot::execute(const Command& command, Call& call) {
     case messages::MAV_CMD_DO_CHANGE_SPEED: return change_speed(command, call);
     case messages::MAV_CMD_DO_SET_HOME: return set_home(command, call);
     case messages::MAV_CMD_MISSION_START: return start_mission(command, call);
+    case messages::MAV_CMD_DO_PAUSE_CONTINUE: return pause_or_continue(command, call);
     case messages::MAV_CMD_DO_SET_MISSION_CURRENT: return set_mission_item(command, call);
 
     case messages::MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW:

@@ -115,6 +115,19 @@ std::uint8_t Autopilot::start_mission(const Command& command, Call& call) {
   return done ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
 }
 
+/// Of a copter's mission: parameter 1 is 0 to pause, 1 to continue.
+std::uint8_t Autopilot::pause_or_continue(const Command& command, Call& call) {
+  if (is_px4() || flight_.kind().type == AirframeType::plane) return messages::MAV_RESULT_UNSUPPORTED;
+  if (command.param1 != 0 && command.param1 != 1) return messages::MAV_RESULT_DENIED;
+  const bool pauses = command.param1 == 0;
+  const auto now = snapshot_.since_boot;
+  const bool done =
+      pauses ? flight_.pause_mission(now, call.airframe, facts_) : flight_.continue_mission(now, call.airframe, facts_);
+  if (done) return messages::MAV_RESULT_ACCEPTED;
+  call.speaker.say(messages::MAV_SEVERITY_INFO, pauses ? "Failed to pause" : "Failed to resume");
+  return messages::MAV_RESULT_FAILED;
+}
+
 std::uint8_t Autopilot::set_mission_item(const Command& command, Call& call) {
   const auto item = whole_number(command.param1, 65535);
   if (!item || *item >= memory_.missions.items(PlanType::mission).size()) return messages::MAV_RESULT_DENIED;

@@ -139,6 +139,22 @@ TEST_F(CommandsTest, ChangesModeByCommand) {
   EXPECT_EQ(mode(), 9U);
 }
 
+TEST_F(CommandsTest, TellsAnotherModeWithoutDelay) {
+  station_.forget();
+  EXPECT_EQ(station_.set_mode(FlightMode::guided), accepted);
+  EXPECT_EQ(station_.set_mode(FlightMode::guided), accepted);
+  ASSERT_EQ(station_.all<messages::Heartbeat>().size(), 1U);
+  EXPECT_EQ(station_.last<messages::Heartbeat>().custom_mode, 4U);
+}
+
+TEST_F(CommandsTest, PausesNoMissionThatItDoesNotFly) {
+  EXPECT_EQ(station_.command(messages::MAV_CMD_DO_PAUSE_CONTINUE, {0}), failed);
+  EXPECT_EQ(station_.texts().back(), "Failed to pause");
+  EXPECT_EQ(station_.command(messages::MAV_CMD_DO_PAUSE_CONTINUE, {1}), failed);
+  EXPECT_EQ(station_.texts().back(), "Failed to resume");
+  EXPECT_EQ(station_.command(messages::MAV_CMD_DO_PAUSE_CONTINUE, {2}), denied);
+}
+
 TEST_F(CommandsTest, ChangesModeByTheOldMessage) {
   station_.send(messages::SetMode{.target_system = 1, .base_mode = 1, .custom_mode = 4});
   EXPECT_EQ(station_.last<messages::CommandAck>().command, 11);

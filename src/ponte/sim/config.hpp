@@ -30,6 +30,20 @@ struct ParameterSetting {
   double value{};
 };
 
+/// After the start of the autopilot, each later than the one before. Arming is refused until there is a position.
+struct StartTimes {
+  Duration ready;
+  Duration fix;
+  Duration position;
+};
+
+/// As they were recorded; but for ArduPilot's position, which nobody has to wait 40 seconds for.
+constexpr StartTimes start_times(Personality personality) {
+  using std::chrono::milliseconds;
+  if (personality == Personality::px4) return {milliseconds{1000}, milliseconds{1000}, milliseconds{3500}};
+  return {milliseconds{2500}, milliseconds{5000}, milliseconds{8000}};
+}
+
 /// One simulated vehicle. Everything that it does follows from this and from what it receives.
 struct VehicleConfig {
   Personality personality{Personality::ardupilot};
@@ -40,11 +54,6 @@ struct VehicleConfig {
   Position start{radians_from_degrees(-30.06898), radians_from_degrees(-51.12179), Metres{50}};
   Radians heading{};
   WallTime power_on{std::chrono::sys_days{std::chrono::year{2026} / 1 / 1} + std::chrono::hours{12}};  ///< UTC
-
-  // After the start of the autopilot, each later than the one before. Arming is refused until there is a position.
-  Duration ready_after{std::chrono::milliseconds{2500}};
-  Duration fix_after{std::chrono::seconds{5}};
-  Duration position_after{std::chrono::seconds{8}};
 
   AirframeType type{AirframeType::copter};
   CopterConfig copter{};

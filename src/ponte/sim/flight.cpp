@@ -155,6 +155,14 @@ bool Flight::set_current_item(std::uint16_t item, Duration now, Airframe& airfra
   return mission_.set_current(item, leg_ == Leg::mission, context(now, airframe, facts));
 }
 
+bool Flight::pause_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  return leg_ == Leg::mission && mission_.pause(context(now, airframe, facts));
+}
+
+bool Flight::continue_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  return leg_ == Leg::mission && mission_.go_on(context(now, airframe, facts));
+}
+
 bool Flight::guide(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
   const auto& state = airframe.state();

@@ -55,6 +55,10 @@ class Flight {
   /// Goes on with this item of the mission, in the mission's mode at once. False: there is none.
   [[nodiscard]] bool set_current_item(std::uint16_t item, Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
 
+  /// Stays where it is on its way to an item, and flies there after all. False: the mission is not on its way.
+  [[nodiscard]] bool pause_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
+  [[nodiscard]] bool continue_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
+
   /// A setpoint. ArduPilot takes it in GUIDED only, and in the air; PX4 remembers that it came, and flies it in
   /// OFFBOARD. False: not taken.
   [[nodiscard]] bool guide(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts);

@@ -49,6 +49,8 @@ class FlightRig {
   bool take_off(double height) { return flight_.take_off(Metres{height}, now_, *airframe_, facts_); }
   bool guide(const GuidedTarget& target) { return flight_.guide(target, now_, *airframe_, facts_); }
   bool reposition(const GuidedTarget& target) { return flight_.reposition(target, now_, *airframe_, facts_); }
+  bool pause_mission() { return flight_.pause_mission(now_, *airframe_, facts_); }
+  bool continue_mission() { return flight_.continue_mission(now_, *airframe_, facts_); }
   bool set_item(std::uint16_t item) { return flight_.set_current_item(item, now_, *airframe_, facts_); }
   void change_speed(double speed) { flight_.change_speed(MetresPerSecond{speed}, now_, *airframe_, facts_); }
 

@@ -31,6 +31,7 @@ void MissionFlight::rewind() {
   leg_ = Leg::none;
   current_ = static_cast<std::uint16_t>(has_items() ? first_ : 0);
   finished_ = false;
+  paused_ = false;
   speed_.reset();
   jumps_.clear();
   pending_.clear();
@@ -55,7 +56,21 @@ bool MissionFlight::set_current(std::uint16_t item, bool is_active, const Flight
 
 void MissionFlight::set_speed(MetresPerSecond speed, const FlightContext& flight) {
   speed_ = speed;
-  if (leg_ == Leg::travel && !arrived_at_) travel(items_[current_], flight);
+  if (leg_ == Leg::travel && !arrived_at_ && !paused_) travel(items_[current_], flight);
+}
+
+bool MissionFlight::pause(const FlightContext& flight) {
+  if (leg_ != Leg::travel || arrived_at_) return false;
+  paused_ = true;
+  flight.airframe.hold();
+  return true;
+}
+
+bool MissionFlight::go_on(const FlightContext& flight) {
+  if (leg_ != Leg::travel || arrived_at_) return false;
+  paused_ = false;
+  travel(items_[current_], flight);
+  return true;
 }
 
 bool MissionFlight::is_landing() const { return leg_ == Leg::land || (leg_ == Leg::home && return_.is_landing()); }
@@ -99,6 +114,7 @@ void MissionFlight::start(std::size_t item, const FlightContext& flight) {
   current_ = static_cast<std::uint16_t>(item);
   arrived_at_.reset();
   wait_ = {};
+  paused_ = false;
   if (!flight.is_px4())
     flight.facts.push(
         notice(messages::MAV_SEVERITY_INFO, "Mission: {} {}", current_, short_name(items_[item].command)));
@@ -172,7 +188,7 @@ void MissionFlight::travel(const MissionItem& item, const FlightContext& flight)
 }
 
 void MissionFlight::step(const FlightContext& flight) {
-  if (finished_ || leg_ == Leg::none || leg_ == Leg::leave_for_home) return;
+  if (finished_ || paused_ || leg_ == Leg::none || leg_ == Leg::leave_for_home) return;
   act(flight);
   look(flight);
   if (leg_ == Leg::home) return_.step(flight);

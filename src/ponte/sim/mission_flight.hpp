@@ -26,6 +26,10 @@ class MissionFlight {
   void step(const FlightContext& flight);
   /// Goes on with this item; at once if the mission is being flown (`is_active`). False: there is none.
   [[nodiscard]] bool set_current(std::uint16_t item, bool is_active, const FlightContext& flight);
+  /// Stays where it is on its way to an item. False: it is not on its way.
+  [[nodiscard]] bool pause(const FlightContext& flight);
+  /// Flies on to the item. False: it is not on its way.
+  [[nodiscard]] bool go_on(const FlightContext& flight);
   /// The next flight begins with the first item.
   void rewind();
   /// Of legs from now on (m/s), until the mission is rewound.
@@ -74,6 +78,7 @@ class MissionFlight {
   std::size_t first_{};  // item 0 is home, with ArduPilot
   std::uint16_t current_{};
   bool finished_{};
+  bool paused_{};
   Leg leg_{Leg::none};
   Position place_{};  // of the current item
   Position from_{};   // where its leg began

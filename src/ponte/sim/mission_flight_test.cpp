@@ -40,6 +40,21 @@ double distance_to(const FlightRig& rig, double north, double east) {
   return horizontal(rig.place() - NorthEastDown{north, east, 0});
 }
 
+TEST(MissionFlight, IsPausedOnItsWayAndGoesOn) {
+  auto rig = started({take_off_item, waypoint(200, 0), land_item});
+  EXPECT_FALSE(rig.pause_mission()) << "while it takes off";
+  ASSERT_TRUE(rig.wait_until([&] { return rig.place().north > 50; }, seconds{60}));
+  EXPECT_TRUE(rig.pause_mission());
+  rig.wait(seconds{60});
+  EXPECT_LT(rig.place().north, 100);
+  EXPECT_EQ(rig.current(), 2);
+  EXPECT_EQ(rig.mode(), FlightMode::automatic);
+  EXPECT_TRUE(rig.continue_mission());
+  ASSERT_TRUE(rig.wait_until([&] { return rig.current() == 3; }, seconds{60}));
+  EXPECT_LT(distance_to(rig, 200, 0), 2);
+  EXPECT_FALSE(rig.continue_mission()) << "while it lands";
+}
+
 TEST(MissionFlight, FliesFromTakeOffToLandingAsArduCopterTellsIt) {
   auto rig = started({take_off_item, waypoint(80, 0), waypoint(80, 60), land_item});
   EXPECT_EQ(rig.mode(), FlightMode::automatic);

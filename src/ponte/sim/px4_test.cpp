@@ -6,6 +6,7 @@
 #include "ponte/mavlink/autopilots/request_data_stream.hpp"
 #include "ponte/mavlink/autopilots/sys_status.hpp"
 #include "ponte/mavlink/autopilots/timesync.hpp"
+#include "ponte/sim/telemetry_messages.hpp"
 #include "ponte/sim/test_station.hpp"
 
 #include <gmock/gmock.h>
@@ -99,6 +100,24 @@ TEST_F(Px4Test, TakesOffToItsOwnHeightAndThenHolds) {
   station_.wait(seconds{10});
   EXPECT_NEAR(-station_.place().down, 2.5, 0.5);
   EXPECT_EQ(heartbeat().custom_mode, 0x0304'0000U);
+}
+
+TEST_F(Px4Test, KnowsItsPositionSoonAfterItsStart) {
+  TestStation station{{.personality = Personality::px4}};
+  station.wait(milliseconds{3400});
+  EXPECT_EQ(station.arm(), rejected);
+  station.wait(milliseconds{200});
+  EXPECT_EQ(station.arm(), accepted);
+}
+
+TEST(MissionItemReachedOfPx4, IsToldForTenSeconds) {
+  Snapshot snapshot{.since_boot = seconds{30}};
+  EXPECT_FALSE(mission_item_reached_px4(snapshot));
+  snapshot.reached = {.item = 3, .at = seconds{20}};
+  EXPECT_EQ(mission_item_reached_px4(snapshot)->seq, 3);
+  snapshot.since_boot += Airframe::step_length;
+  EXPECT_FALSE(mission_item_reached_px4(snapshot));
+  EXPECT_EQ(mission_item_reached(snapshot)->seq, 3) << "when it is asked for";
 }
 
 TEST_F(Px4Test, LooksAtTheComponentThatACommandIsFor) {

@@ -18,6 +18,7 @@ constexpr std::array rows{
     telemetry_row<sys_status>({Stream::extended_status}),
     telemetry_row<nav_controller_output>({Stream::extended_status}),
     telemetry_row<mission_current>({Stream::extended_status}),
+    telemetry_row<mission_item_reached>({Stream::none}),
     telemetry_row<gps_raw>({Stream::extended_status}),
     telemetry_row<position_target>({Stream::extended_status}),
     telemetry_row<servo_output>({Stream::rc_channels}),

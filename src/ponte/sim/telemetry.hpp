@@ -36,6 +36,12 @@ struct MissionProgress {
   std::array<std::uint32_t, 3> ids{};  ///< of mission, fence and rally points
 };
 
+/// The item of the mission that was done last, and when, since the start of the autopilot.
+struct ReachedItem {
+  std::uint16_t item{};
+  Duration at{};
+};
+
 /// Everything that the autopilot knows at one step; messages are made of this alone.
 struct Snapshot {
   Duration since_boot{};
@@ -60,6 +66,7 @@ struct Snapshot {
   NorthEastDown wind{};  ///< m/s, where the air goes
   mavlink::SystemId system{};
   MissionProgress mission{};
+  std::optional<ReachedItem> reached{};
   GimbalState gimbal{};
 };
 

@@ -23,11 +23,13 @@
 #include "ponte/mavlink/autopilots/local_position_ned.hpp"
 #include "ponte/mavlink/autopilots/meminfo.hpp"
 #include "ponte/mavlink/autopilots/mission_current.hpp"
+#include "ponte/mavlink/autopilots/mission_item_reached.hpp"
 #include "ponte/mavlink/autopilots/mount_orientation.hpp"
 #include "ponte/mavlink/autopilots/nav_controller_output.hpp"
 #include "ponte/mavlink/autopilots/position_target_global_int.hpp"
 #include "ponte/mavlink/autopilots/position_target_local_ned.hpp"
 #include "ponte/mavlink/autopilots/power_status.hpp"
+#include "ponte/mavlink/autopilots/protocol_version.hpp"
 #include "ponte/mavlink/autopilots/raw_imu.hpp"
 #include "ponte/mavlink/autopilots/rc_channels.hpp"
 #include "ponte/mavlink/autopilots/scaled_imu.hpp"
@@ -71,6 +73,7 @@ namespace messages = mavlink::autopilots;
 [[nodiscard]] messages::NavControllerOutput nav_controller_output(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::PositionTargetGlobalInt> position_target(const Snapshot& snapshot);
 [[nodiscard]] messages::MissionCurrent mission_current(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::MissionItemReached> mission_item_reached(const Snapshot& snapshot);
 [[nodiscard]] messages::ServoOutputRaw servo_output(const Snapshot& snapshot);
 [[nodiscard]] messages::RcChannels rc_channels(const Snapshot& snapshot);
 [[nodiscard]] messages::ExtendedSysState extended_sys_state(const Snapshot& snapshot);
@@ -91,8 +94,10 @@ namespace messages = mavlink::autopilots;
 [[nodiscard]] std::optional<messages::MountOrientation> mount_orientation(const Snapshot& snapshot);
 
 // What PX4 sends besides, or fills in another way.
+[[nodiscard]] messages::ProtocolVersion protocol_version(const Snapshot& snapshot);
 [[nodiscard]] messages::Heartbeat heartbeat_px4(const Snapshot& snapshot);
 [[nodiscard]] messages::MissionCurrent mission_current_px4(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::MissionItemReached> mission_item_reached_px4(const Snapshot& snapshot);
 [[nodiscard]] messages::AutopilotVersion autopilot_version_px4(const Snapshot& snapshot);
 [[nodiscard]] messages::CurrentMode current_mode(const Snapshot& snapshot);
 [[nodiscard]] messages::Altitude altitude(const Snapshot& snapshot);

@@ -60,6 +60,7 @@ constexpr std::array rows{
     telemetry_row<extended_sys_state>(every(1000)),
     telemetry_row<scaled_pressure>(every(1000)),
     telemetry_row<mission_current_px4>(every(1000)),
+    telemetry_row<mission_item_reached_px4>(every(1000)),
     telemetry_row<position_target>(every(1000)),
     telemetry_row<home_position>(every(2000)),
     telemetry_row<battery_status>(every(2000)),
@@ -77,6 +78,7 @@ constexpr std::array rows{
     telemetry_row<system_time>({}),
     telemetry_row<gps_global_origin>({}),
     telemetry_row<autopilot_version_px4>({}),
+    telemetry_row<protocol_version>({}),
 };
 static_assert(rows.size() <= MessageRates::capacity);
 
@@ -108,6 +110,13 @@ messages::MissionCurrent mission_current_px4(const Snapshot& snapshot) {
   };
 }
 
+/// Again and again for a while, in case somebody has missed it.
+std::optional<messages::MissionItemReached> mission_item_reached_px4(const Snapshot& snapshot) {
+  constexpr Duration told_for = std::chrono::seconds{10};
+  if (!snapshot.reached || snapshot.since_boot - snapshot.reached->at > told_for) return std::nullopt;
+  return mission_item_reached(snapshot);
+}
+
 messages::AutopilotVersion autopilot_version_px4(const Snapshot& snapshot) {
   return {
       .capabilities = messages::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | messages::MAV_PROTOCOL_CAPABILITY_MISSION_INT |
@@ -121,6 +130,11 @@ messages::AutopilotVersion autopilot_version_px4(const Snapshot& snapshot) {
       .flight_custom_version = {'p', 'o', 'n', 't', 'e', '-', 's', 'i'},
       .uid = snapshot.system.value,
   };
+}
+
+/// In hundredths, and as it was recorded.
+messages::ProtocolVersion protocol_version(const Snapshot& /*snapshot*/) {
+  return {.version = 200, .min_version = 100, .max_version = 203};
 }
 
 messages::CurrentMode current_mode(const Snapshot& snapshot) {

@@ -122,6 +122,11 @@ std::optional<messages::PositionTargetGlobalInt> position_target(const Snapshot&
   };
 }
 
+std::optional<messages::MissionItemReached> mission_item_reached(const Snapshot& snapshot) {
+  if (!snapshot.reached) return std::nullopt;
+  return messages::MissionItemReached{.seq = snapshot.reached->item};
+}
+
 /// Home is an item, but is not counted.
 messages::MissionCurrent mission_current(const Snapshot& snapshot) {
   const auto& mission = snapshot.mission;
