@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable
+from itertools import pairwise
 from pathlib import Path
 
 import conduct
@@ -36,7 +37,7 @@ def table(name: str, differences: Iterable[conduct.Difference]) -> str:
 def sequence_is_whole(frames: Iterable[mavlink_frames.Frame]) -> bool:
     """Nothing was lost, and the vehicle started anew at most."""
     numbers = [frame.sequence for frame in frames if frame.system == conduct.VEHICLE]
-    return all(later in ((earlier + 1) % 256, 0) for earlier, later in zip(numbers, numbers[1:], strict=False))
+    return all(later in ((earlier + 1) % 256, 0) for earlier, later in pairwise(numbers))
 
 
 def test_there_is_a_recording_of_each_personality() -> None:
