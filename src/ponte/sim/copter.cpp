@@ -23,7 +23,7 @@ constexpr double stopping_speed = 1.0;             // m/s, at least, back to the
 constexpr double above_landing_place = 0.5;        // m
 constexpr double turns_beyond = 2.0;               // m to the target: nearer, the heading stays
 constexpr double hardest_landing = 3.0;            // m/s
-constexpr double final_descent_height = 10.0;      // m
+constexpr double slowest = 0.1;                    // m/s: any rate and any speed
 
 constexpr double drag = 0.25;  // 1/s: deceleration in m/s^2 per m/s of airspeed
 constexpr double hover_throttle = 0.39;
@@ -73,20 +73,33 @@ void Copter::arm() {
 }
 
 void Copter::disarm() {
-  PONTE_ASSERT(!state_.airborne);
   state_.armed = false;
   goal_ = Goal::rest;
+}
+
+void Copter::handle(const Handling& handling) {
+  const auto within = [](MetresPerSecond wanted, MetresPerSecond able) {
+    return MetresPerSecond{std::clamp(wanted.value, slowest, able.value)};
+  };
+  handling_ = handling;
+  handling_.most_speed = within(handling.most_speed, config_.speed);
+  handling_.climb_rate = within(handling.climb_rate, config_.climb_rate);
+  handling_.take_off_rate = within(handling.take_off_rate, config_.climb_rate);
+  handling_.descent_rate = within(handling.descent_rate, config_.descent_rate);
+  handling_.landing_rate = within(handling.landing_rate, config_.descent_rate);
 }
 
 void Copter::begin(Goal goal) {
   PONTE_ASSERT(state_.armed);
   goal_ = goal;
   facing_ = {};
+  takes_off_ = false;
   sinks_ = false;
 }
 
 void Copter::climb_to(Metres altitude_msl) {
   begin(Goal::reach);
+  takes_off_ = !state_.airborne;
   stop_at(altitude_msl);
 }
 
@@ -157,13 +170,14 @@ void Copter::stop_at(Metres altitude_msl) {
 
 void Copter::step(const Conditions& conditions) {
   const auto before = state_.attitude;
+  const bool motors_run = conditions.motors_run && state_.armed;
   state_.wind = conditions.wind;
   position_error_ = conditions.position_error;
   const auto offset = offset_between(known_position(), target_);
   const auto wanted = demand(offset);
-  if (state_.airborne || (wanted.velocity.down < 0 && conditions.motors_run)) {
+  if (state_.airborne || (wanted.velocity.down < 0 && motors_run)) {
     state_.airborne = true;
-    accelerate(wanted, conditions.motors_run);
+    accelerate(wanted, motors_run);
     turn(offset);
     tilt(before);
     if (state_.position.altitude_msl.value <= ground_ && state_.velocity.down >= 0) touch_down();
@@ -175,23 +189,32 @@ Copter::Demand Copter::demand(const NorthEastDown& offset) {
   switch (goal_) {
     case Goal::rest: return {};
     case Goal::circle: return on_circle(offset);
-    case Goal::move: return {.velocity = velocity_wanted_};
+    case Goal::move: return {.velocity = allowed(velocity_wanted_)};
     case Goal::drift:
     case Goal::sink: return {.velocity = {0, 0, wanted_sink_rate(offset)}};
     case Goal::reach:
     case Goal::land: break;
   }
   const double distance = horizontal(offset);
-  const double speed = approach_speed(distance, speed_limit_, config_.acceleration.value * deceleration_share);
+  const double speed = approach_speed(distance, std::min(speed_limit_, handling_.most_speed.value),
+                                      config_.acceleration.value * deceleration_share);
   const double share = distance > 0 ? speed / distance : 0;
   return {.velocity = {offset.north * share, offset.east * share, wanted_sink_rate(offset)}};
+}
+
+/// No faster than its handling has it.
+NorthEastDown Copter::allowed(const NorthEastDown& velocity) const {
+  auto result = limited(velocity, handling_.most_speed.value);
+  result.down = std::clamp(velocity.down, -handling_.climb_rate.value, handling_.descent_rate.value);
+  return result;
 }
 
 /// Along the circle and towards it, no faster than its acceleration bends the way.
 Copter::Demand Copter::on_circle(const NorthEastDown& offset) const {
   const double distance = horizontal(offset);
   const double radius = std::abs(radius_);
-  const double speed = std::min(speed_limit_, std::sqrt(config_.acceleration.value * deceleration_share * radius));
+  const double most = std::min(speed_limit_, handling_.most_speed.value);
+  const double speed = std::min(most, std::sqrt(config_.acceleration.value * deceleration_share * radius));
   const auto inwards =
       distance > 0 ? NorthEastDown{offset.north, offset.east, 0} * (1 / distance) : NorthEastDown{1, 0, 0};
   const double clockwise = radius_ < 0 ? -1 : 1;
@@ -209,16 +232,17 @@ double Copter::wanted_sink_rate(const NorthEastDown& offset) {
   sinks_ = sinks_ || goal_ == Goal::sink ||
            (horizontal(offset) < above_landing_place && horizontal(state_.velocity) < nearly_stopped);
   if (!sinks_) return 0;
-  const double above = state_.position.altitude_msl.value - ground_ - final_descent_height;
+  const double above = state_.position.altitude_msl.value - ground_ - handling_.landing_height.value;
   const double deceleration = config_.vertical_acceleration.value * deceleration_share;
-  const double rate = approach_speed(std::max(above, 0.0), config_.descent_rate.value, deceleration);
-  return std::max(rate, config_.landing_rate.value);
+  const double rate = approach_speed(std::max(above, 0.0), handling_.descent_rate.value, deceleration);
+  return std::max(rate, handling_.landing_rate.value);
 }
 
 double Copter::reaching_sink_rate(double offset_down) const {
   const double deceleration = config_.vertical_acceleration.value * deceleration_share;
-  if (offset_down < 0) return -approach_speed(-offset_down, config_.climb_rate.value, deceleration);
-  return approach_speed(offset_down, config_.descent_rate.value, deceleration);
+  const auto climb_rate = takes_off_ ? handling_.take_off_rate : handling_.climb_rate;
+  if (offset_down < 0) return -approach_speed(-offset_down, climb_rate.value, deceleration);
+  return approach_speed(offset_down, handling_.descent_rate.value, deceleration);
 }
 
 /// One step of velocity and position. The thrust follows what is wanted with a lag, since the body has to tilt first;

@@ -93,9 +93,10 @@ void Flight::begin(const FlightContext& flight) {
     case land: leg_ = Leg::land; return land_here(flight);
     case circle: {
       const double heading = state.attitude.heading.value;
-      const double radius = settings_.loiter_radius.value;
+      const double radius = settings_.handling.loiter_radius.value;
       const NorthEastDown ahead{std::cos(heading) * radius, std::sin(heading) * radius, 0};
-      return airframe.circle(displaced(airframe.known_position(), ahead), Metres{radius}, settings_.cruise_speed);
+      return airframe.circle(displaced(airframe.known_position(), ahead), Metres{radius},
+                             settings_.handling.cruise_speed);
     }
     case manual:
     case stabilize:
@@ -118,6 +119,7 @@ void Flight::climb(Metres height, const FlightContext& flight) {
 
 void Flight::on_armed(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
+  airframe.handle(settings_.handling);
   idle_since_ = now;
   was_airborne_ = false;
   has_landed_ = false;
@@ -165,7 +167,7 @@ bool Flight::guide(const GuidedTarget& target, Duration now, Airframe& airframe,
   if (mode_ != guided || !state.armed || (!state.airborne && !flight.is_px4())) return false;
   if (leg_ == Leg::take_off) return false;
   leg_ = Leg::guided;
-  guided_.take(target, speed_.value_or(settings_.cruise_speed), flight);
+  guided_.take(target, speed_.value_or(settings_.handling.cruise_speed), flight);
   return true;
 }
 
@@ -176,7 +178,7 @@ bool Flight::reposition(const GuidedTarget& target, Duration now, Airframe& airf
   if (mode_ != mode && !may_enter(mode, flight)) return false;
   if (mode_ != mode) change_mode(mode, flight);
   leg_ = Leg::guided;
-  guided_.take(target, speed_.value_or(settings_.cruise_speed), flight);
+  guided_.take(target, speed_.value_or(settings_.handling.cruise_speed), flight);
   return true;
 }
 
@@ -190,6 +192,7 @@ void Flight::change_speed(MetresPerSecond speed, Duration now, Airframe& airfram
 void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
   const auto& state = airframe.state();
+  airframe.handle(settings_.handling);
   if (!state.armed) {
     leg_ = Leg::none;
     was_airborne_ = false;
@@ -202,6 +205,7 @@ void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
     fly(flight);
   else
     wait_on_ground(flight);
+  give_up_take_off(flight);
 }
 
 void Flight::on_ground_left_or_reached(const FlightContext& flight) {
@@ -232,7 +236,8 @@ void Flight::fly(const FlightContext& flight) {
     case Leg::square: return fly_square(flight);
     case Leg::guided:
       guided_.step(flight);
-      if (flight.is_px4() && mode_ == guided && !guided_.is_fresh(flight)) change_mode(position_hold, flight);
+      if (flight.is_px4() && mode_ == guided && !guided_.is_fresh(flight))
+        change_mode(may_enter(settings_.offboard_lost, flight) ? settings_.offboard_lost : land, flight);
       return;
     case Leg::mission:
       mission_.step(flight);
@@ -265,6 +270,20 @@ void Flight::wait_on_ground(const FlightContext& flight) {
   if (mode_ == guided && flies_square_ && !has_landed_ && idle >= square_begins_after) return climb(height_, flight);
   const auto patience = has_landed_ ? settings_.disarms_landed_after : settings_.disarms_idle_after;
   if (patience > Duration{} && idle >= patience) disarm(flight);
+}
+
+/// One that does not leave the ground, as without motors.
+void Flight::give_up_take_off(const FlightContext& flight) {
+  const auto& state = flight.airframe.state();
+  const bool tries =
+      state.armed && !state.airborne && (leg_ == Leg::take_off || (leg_ == Leg::mission && mission_.is_taking_off()));
+  if (!tries) {
+    tries_since_.reset();
+    return;
+  }
+  if (!tries_since_) tries_since_ = flight.now;
+  const auto patience = settings_.disarms_idle_after;
+  if (patience > Duration{} && flight.now - *tries_since_ >= patience) disarm(flight);
 }
 
 /// By itself, with the words of each autopilot.
