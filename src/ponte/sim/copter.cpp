@@ -21,6 +21,7 @@ constexpr double deceleration_share = 0.6;         // of the acceleration, so th
 constexpr double nearly_stopped = 0.3;             // m/s
 constexpr double stopping_speed = 1.0;             // m/s, at least, back to the place where it stops
 constexpr double above_landing_place = 0.5;        // m
+constexpr double smallest_circle = 0.01;           // m
 constexpr double turns_beyond = 2.0;               // m to the target: nearer, the heading stays
 constexpr double hardest_landing = 3.0;            // m/s
 constexpr double slowest = 0.1;                    // m/s: any rate and any speed
@@ -106,14 +107,14 @@ void Copter::climb_to(Metres altitude_msl) {
 void Copter::fly_to(const Position& target, MetresPerSecond speed) {
   begin(Goal::reach);
   target_ = target;
-  speed_limit_ = speed.value;
+  speed_limit_ = std::max(speed.value, slowest);
 }
 
 void Copter::circle(const Position& centre, Metres radius, MetresPerSecond speed) {
   begin(Goal::circle);
   target_ = centre;
   radius_ = radius.value;
-  speed_limit_ = speed.value;
+  speed_limit_ = std::max(speed.value, slowest);
 }
 
 void Copter::move(const NorthEastDown& velocity) {
@@ -222,7 +223,7 @@ Copter::Demand Copter::on_circle(const NorthEastDown& offset) const {
   const double correction = std::clamp(velocity_per_offset * (distance - radius), -speed, speed);
   const double rest = std::sqrt(speed * speed - correction * correction);
   Demand result{.velocity = along * rest + inwards * correction,
-                .acceleration = inwards * (rest * rest / std::max(distance, radius))};
+                .acceleration = inwards * (rest * rest / std::max({distance, radius, smallest_circle}))};
   result.velocity.down = reaching_sink_rate(offset.down);
   return result;
 }

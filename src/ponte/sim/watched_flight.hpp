@@ -45,6 +45,7 @@ class WatchedFlight {
 
   void begin() {
     if (kind_.type == AirframeType::plane) {
+      if (kind_.personality == Personality::px4) set("MIS_TAKEOFF_ALT", 50);
       EXPECT_TRUE(rig.enter(FlightMode::take_off));
       rig.arm();
       rig.wait(seconds{40});
