@@ -4,7 +4,8 @@
 
 namespace ponte::sim {
 
-/// How an autopilot has its aircraft flown, as its parameters say. The aircraft does no more than it is able to.
+/// How an autopilot has its aircraft flown, as its parameters say; until it is told, as ArduCopter does. The
+/// aircraft does no more than it is able to.
 struct Handling {
   MetresPerSecond cruise_speed{10};  ///< through the air in a plane
   MetresPerSecond most_speed{30};    ///< whatever an order asks for

@@ -4,7 +4,8 @@
 #include <optional>
 #include <span>
 
-/// The tables of parameters: those that govern what is simulated, and those that ground stations look at.
+/// The tables of parameters: those that govern what is simulated, and those that ground stations look at. The defaults
+/// are those of ArduCopter and of a PX4 copter; of planes, those of what they share with them.
 namespace ponte::sim {
 namespace {
 
