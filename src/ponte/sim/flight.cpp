@@ -173,7 +173,7 @@ bool Flight::guide(const GuidedTarget& target, Duration now, Airframe& airframe,
 bool Flight::reposition(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
   const auto mode = flight.is_px4() ? loiter : guided;
-  if (!airframe.state().airborne) return false;
+  if (!airframe.state().airborne || !airframe.state().armed) return false;
   if (mode_ != mode && !may_enter(mode, flight)) return false;
   if (mode_ != mode) change_mode(mode, flight);
   leg_ = Leg::guided;

@@ -144,6 +144,7 @@ TEST(World, ARebootOfPx4InTheAirLetsItFall) {
   EXPECT_FALSE(station.truth().armed);
   EXPECT_TRUE(station.truth().airborne);
   EXPECT_NE(station.arm(), accepted) << "on its way down";
+  EXPECT_NE(station.command(messages::MAV_CMD_DO_REPOSITION, {-1, 0, 0, 0, -30.07F, -51.12F, 100}), accepted);
   ASSERT_TRUE(station.wait_until([&] { return !station.truth().airborne; }, seconds{10}));
   EXPECT_TRUE(station.truth().crashed);
   station.wait(seconds{10});
