@@ -5,6 +5,7 @@
 #include "ponte/sim/attitude.hpp"
 #include "ponte/sim/battery.hpp"
 #include "ponte/sim/geodesy.hpp"
+#include "ponte/sim/handling.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -54,7 +55,10 @@ class Airframe {
   virtual ~Airframe() = default;
 
   virtual void arm() = 0;
-  virtual void disarm() = 0;  ///< on the ground only
+  virtual void disarm() = 0;  ///< in the air, it comes down without its motors
+
+  /// From now on, whatever it is doing.
+  virtual void handle(const Handling& handling) = 0;
 
   // Armed only; each of them replaces the one before.
   /// To this altitude over the same place. From the ground, this is to take off.

@@ -12,6 +12,7 @@
 #include "ponte/mavlink/autopilots/request_data_stream.hpp"
 #include "ponte/mavlink/autopilots/set_mode.hpp"
 #include "ponte/mavlink/codec.hpp"
+#include "ponte/sim/settings.hpp"
 
 namespace ponte::sim {
 
@@ -47,11 +48,11 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       sensors_{config.seed, config.noise},
       navigation_{config.personality, start_times(config.personality).position, config.seed},
       flight_{{config.personality, config.type},
-              flight_settings({config.personality, config.type}, memory.parameters),
+              settings_of({config.personality, config.type}, memory.parameters).flight,
               config.fly_square,
               config.square},
       failsafes_{{config.personality, config.type},
-                 failsafe_settings({config.personality, config.type}, memory.parameters)},
+                 settings_of({config.personality, config.type}, memory.parameters).failsafes},
       sender_{config.version, config.system, config.component},
       text_numbers_{config.personality},
       rates_{telemetry_rows(config.personality, config.version)},
@@ -146,8 +147,9 @@ void Autopilot::take_over_parameters() {
   const auto& parameters = memory_.parameters;
   if (parameter_change_ == parameters.changes()) return;
   parameter_change_ = parameters.changes();
-  flight_.set_settings(flight_settings(flight_.kind(), parameters));
-  failsafes_.set_settings(failsafe_settings(flight_.kind(), parameters));
+  const auto settings = settings_of(flight_.kind(), parameters);
+  flight_.set_settings(settings.flight);
+  failsafes_.set_settings(settings.failsafes);
 }
 
 void Autopilot::tell_progress(Speaker& speaker) {

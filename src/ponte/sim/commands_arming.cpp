@@ -47,7 +47,8 @@ std::uint8_t Autopilot::arm(Call& call) {
 
 /// In each autopilot's words; nothing if it may arm.
 std::string_view Autopilot::reason_not_to_arm(std::array<char, 50>& buffer) const {
-  if (is_px4() && (!snapshot_.trusts_position || failsafes_.refuses_to_arm()))
+  if (is_px4() &&
+      (snapshot_.landed_state != LandedState::on_ground || !snapshot_.trusts_position || failsafes_.refuses_to_arm()))
     return "Arming denied: Resolve system health failures first\t";
   if (!snapshot_.is_ready) return "Arm: System not initialised";
   if (!snapshot_.has_position || !snapshot_.trusts_position) return "Arm: Need Position Estimate";

@@ -27,8 +27,7 @@ std::optional<Position> place_of(const Command& command, Metres altitude) {
 std::uint8_t Autopilot::take_off(const Command& command, Call& call) {
   auto height = Metres{command.z};
   if (is_px4()) {
-    height = std::isnan(command.z) ? Metres{memory_.parameters.value("MIS_TAKEOFF_ALT")}
-                                   : height - flight_.home().altitude_msl;
+    height = std::isnan(command.z) ? flight_.settings().take_off_height : height - flight_.home().altitude_msl;
   } else if (!std::isfinite(command.z) ||
              (command.frame && *command.frame != messages::MAV_FRAME_GLOBAL_RELATIVE_ALT)) {
     return messages::MAV_RESULT_DENIED;

@@ -11,19 +11,15 @@ namespace {
 constexpr double dt = std::chrono::duration<double>{Airframe::step_length}.count();
 
 // How the flight controller answers to errors, and how fast the airframe follows it.
-constexpr double velocity_per_offset = 0.7;        // 1/s
 constexpr double acceleration_per_velocity = 3.0;  // 1/s
 constexpr double thrust_lag = 0.12;                // s
 constexpr double jerk_limit = 8.0;                 // m/s^3
 constexpr double turn_rate_per_heading = 1.5;      // 1/s
 constexpr double turn_acceleration = 2.0;          // rad/s^2
-constexpr double deceleration_share = 0.6;         // of the acceleration, so that a stop never asks for all of it
-constexpr double nearly_stopped = 0.3;             // m/s
-constexpr double stopping_speed = 1.0;             // m/s, at least, back to the place where it stops
-constexpr double above_landing_place = 0.5;        // m
+constexpr double turns_above = 0.3;                // m/s: slower, the heading stays
 constexpr double turns_beyond = 2.0;               // m to the target: nearer, the heading stays
 constexpr double hardest_landing = 3.0;            // m/s
-constexpr double final_descent_height = 10.0;      // m
+constexpr double slowest = 0.1;                    // m/s: any rate and any speed
 
 constexpr double drag = 0.25;  // 1/s: deceleration in m/s^2 per m/s of airspeed
 constexpr double hover_throttle = 0.39;
@@ -32,22 +28,6 @@ constexpr double electronics_amperes = 0.4;
 constexpr double idle_amperes = 1.5;
 constexpr double hover_amperes = 18.0;
 constexpr double amperes_per_climb_rate = 1.7;  // A per m/s: two kilograms, at 11.7 V
-
-/// The speed at which a stop at the end of this distance is still gentle: in proportion to the distance when near, by
-/// constant deceleration when far.
-double approach_speed(double distance, double limit, double deceleration) {
-  const double near = deceleration / (velocity_per_offset * velocity_per_offset);
-  const double speed =
-      distance < near ? velocity_per_offset * distance : std::sqrt(2 * deceleration * (distance - near / 2));
-  return std::min(speed, limit);
-}
-
-/// The distance whose `approach_speed` is this speed.
-double stopping_distance(double speed, double deceleration) {
-  const double near = deceleration / (velocity_per_offset * velocity_per_offset);
-  if (speed < velocity_per_offset * near) return speed / velocity_per_offset;
-  return speed * speed / (2 * deceleration) + near / 2;
-}
 
 /// Its part over ground no longer than this.
 NorthEastDown limited(const NorthEastDown& vector, double most) {
@@ -73,34 +53,47 @@ void Copter::arm() {
 }
 
 void Copter::disarm() {
-  PONTE_ASSERT(!state_.airborne);
   state_.armed = false;
   goal_ = Goal::rest;
+}
+
+void Copter::handle(const Handling& handling) {
+  const auto within = [](MetresPerSecond wanted, MetresPerSecond able) {
+    return MetresPerSecond{std::clamp(wanted.value, slowest, able.value)};
+  };
+  handling_ = handling;
+  handling_.most_speed = within(handling.most_speed, config_.speed);
+  handling_.climb_rate = within(handling.climb_rate, config_.climb_rate);
+  handling_.take_off_rate = within(handling.take_off_rate, config_.climb_rate);
+  handling_.descent_rate = within(handling.descent_rate, config_.descent_rate);
+  handling_.landing_rate = within(handling.landing_rate, config_.descent_rate);
 }
 
 void Copter::begin(Goal goal) {
   PONTE_ASSERT(state_.armed);
   goal_ = goal;
   facing_ = {};
+  takes_off_ = false;
   sinks_ = false;
 }
 
 void Copter::climb_to(Metres altitude_msl) {
   begin(Goal::reach);
+  takes_off_ = !state_.airborne;
   stop_at(altitude_msl);
 }
 
 void Copter::fly_to(const Position& target, MetresPerSecond speed) {
   begin(Goal::reach);
   target_ = target;
-  speed_limit_ = speed.value;
+  speed_limit_ = std::max(speed.value, slowest);
 }
 
 void Copter::circle(const Position& centre, Metres radius, MetresPerSecond speed) {
   begin(Goal::circle);
   target_ = centre;
   radius_ = radius.value;
-  speed_limit_ = speed.value;
+  speed_limit_ = std::max(speed.value, slowest);
 }
 
 void Copter::move(const NorthEastDown& velocity) {
@@ -145,25 +138,16 @@ void Copter::sink() {
 
 void Copter::face(const Facing& facing) { facing_ = facing; }
 
-/// The target becomes the place where it can stand still soonest without haste.
-void Copter::stop_at(Metres altitude_msl) {
-  const double speed = horizontal(state_.velocity);
-  const double distance = stopping_distance(speed, config_.acceleration.value * deceleration_share);
-  const double seconds = speed > 0 ? distance / speed : 0;
-  target_ = displaced(known_position(), {state_.velocity.north * seconds, state_.velocity.east * seconds, 0});
-  target_.altitude_msl = altitude_msl;
-  speed_limit_ = std::max(speed, stopping_speed);
-}
-
 void Copter::step(const Conditions& conditions) {
   const auto before = state_.attitude;
+  const bool motors_run = conditions.motors_run && state_.armed;
   state_.wind = conditions.wind;
   position_error_ = conditions.position_error;
   const auto offset = offset_between(known_position(), target_);
   const auto wanted = demand(offset);
-  if (state_.airborne || (wanted.velocity.down < 0 && conditions.motors_run)) {
+  if (state_.airborne || (wanted.velocity.down < 0 && motors_run)) {
     state_.airborne = true;
-    accelerate(wanted, conditions.motors_run);
+    accelerate(wanted, motors_run);
     turn(offset);
     tilt(before);
     if (state_.position.altitude_msl.value <= ground_ && state_.velocity.down >= 0) touch_down();
@@ -171,54 +155,11 @@ void Copter::step(const Conditions& conditions) {
   use_energy();
 }
 
-Copter::Demand Copter::demand(const NorthEastDown& offset) {
-  switch (goal_) {
-    case Goal::rest: return {};
-    case Goal::circle: return on_circle(offset);
-    case Goal::move: return {.velocity = velocity_wanted_};
-    case Goal::drift:
-    case Goal::sink: return {.velocity = {0, 0, wanted_sink_rate(offset)}};
-    case Goal::reach:
-    case Goal::land: break;
-  }
-  const double distance = horizontal(offset);
-  const double speed = approach_speed(distance, speed_limit_, config_.acceleration.value * deceleration_share);
-  const double share = distance > 0 ? speed / distance : 0;
-  return {.velocity = {offset.north * share, offset.east * share, wanted_sink_rate(offset)}};
-}
-
-/// Along the circle and towards it, no faster than its acceleration bends the way.
-Copter::Demand Copter::on_circle(const NorthEastDown& offset) const {
-  const double distance = horizontal(offset);
-  const double radius = std::abs(radius_);
-  const double speed = std::min(speed_limit_, std::sqrt(config_.acceleration.value * deceleration_share * radius));
-  const auto inwards =
-      distance > 0 ? NorthEastDown{offset.north, offset.east, 0} * (1 / distance) : NorthEastDown{1, 0, 0};
-  const double clockwise = radius_ < 0 ? -1 : 1;
-  const NorthEastDown along{inwards.east * clockwise, -inwards.north * clockwise, 0};
-  const double correction = std::clamp(velocity_per_offset * (distance - radius), -speed, speed);
-  const double rest = std::sqrt(speed * speed - correction * correction);
-  Demand result{.velocity = along * rest + inwards * correction,
-                .acceleration = inwards * (rest * rest / std::max(distance, radius))};
-  result.velocity.down = reaching_sink_rate(offset.down);
+/// No faster than its handling has it.
+NorthEastDown Copter::allowed(const NorthEastDown& velocity) const {
+  auto result = limited(velocity, handling_.most_speed.value);
+  result.down = std::clamp(velocity.down, -handling_.climb_rate.value, handling_.descent_rate.value);
   return result;
-}
-
-double Copter::wanted_sink_rate(const NorthEastDown& offset) {
-  if (goal_ != Goal::land && goal_ != Goal::sink) return reaching_sink_rate(offset.down);
-  sinks_ = sinks_ || goal_ == Goal::sink ||
-           (horizontal(offset) < above_landing_place && horizontal(state_.velocity) < nearly_stopped);
-  if (!sinks_) return 0;
-  const double above = state_.position.altitude_msl.value - ground_ - final_descent_height;
-  const double deceleration = config_.vertical_acceleration.value * deceleration_share;
-  const double rate = approach_speed(std::max(above, 0.0), config_.descent_rate.value, deceleration);
-  return std::max(rate, config_.landing_rate.value);
-}
-
-double Copter::reaching_sink_rate(double offset_down) const {
-  const double deceleration = config_.vertical_acceleration.value * deceleration_share;
-  if (offset_down < 0) return -approach_speed(-offset_down, config_.climb_rate.value, deceleration);
-  return approach_speed(offset_down, config_.descent_rate.value, deceleration);
 }
 
 /// One step of velocity and position. The thrust follows what is wanted with a lag, since the body has to tilt first;
@@ -258,7 +199,7 @@ void Copter::turn(const NorthEastDown& offset) {
     heading_wanted_ = facing_.heading->value;
   } else if (facing_.turn_rate) {
     heading_wanted_ = heading;
-  } else if (goal_ == Goal::move && horizontal(velocity_wanted_) > nearly_stopped) {
+  } else if (goal_ == Goal::move && horizontal(velocity_wanted_) > turns_above) {
     heading_wanted_ = std::atan2(velocity_wanted_.east, velocity_wanted_.north);
   } else if (holds_place() && horizontal(offset) > turns_beyond) {
     heading_wanted_ = std::atan2(offset.east, offset.north);

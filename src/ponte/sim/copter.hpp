@@ -6,9 +6,9 @@ namespace ponte::sim {
 
 /// What a copter is able to do.
 struct CopterConfig {
-  MetresPerSecond climb_rate{2.5};
-  MetresPerSecond descent_rate{1.5};
-  MetresPerSecond landing_rate{0.5};  ///< over the last ten metres
+  MetresPerSecond speed{30};
+  MetresPerSecond climb_rate{8};
+  MetresPerSecond descent_rate{4};
   MetresPerSecondSquared acceleration{2.5};
   MetresPerSecondSquared vertical_acceleration{1.5};
   RadiansPerSecond turn_rate{1.0};
@@ -24,6 +24,7 @@ class Copter final : public Airframe {
 
   void arm() override;
   void disarm() override;
+  void handle(const Handling& handling) override;
 
   void climb_to(Metres altitude_msl) override;
   void fly_to(const Position& target, MetresPerSecond speed) override;
@@ -54,6 +55,7 @@ class Copter final : public Airframe {
   void stop_at(Metres altitude_msl);
   [[nodiscard]] bool holds_place() const { return goal_ != Goal::drift && goal_ != Goal::sink; }
   [[nodiscard]] Demand demand(const NorthEastDown& offset);
+  [[nodiscard]] NorthEastDown allowed(const NorthEastDown& velocity) const;
   [[nodiscard]] Demand on_circle(const NorthEastDown& offset) const;
   [[nodiscard]] double wanted_sink_rate(const NorthEastDown& offset);
   [[nodiscard]] double reaching_sink_rate(double offset_down) const;
@@ -64,6 +66,7 @@ class Copter final : public Airframe {
   void use_energy();
 
   CopterConfig config_;
+  Handling handling_{};
   double ground_;  // m above mean sea level
   Battery battery_;
   AirframeState state_;
@@ -74,6 +77,7 @@ class Copter final : public Airframe {
   NorthEastDown velocity_wanted_{};
   double radius_{};  // m, clockwise if positive
   double speed_limit_{};
+  bool takes_off_{};
   bool sinks_{};  // it stands above the place where it lands
   Facing facing_{};
   double heading_wanted_{};

@@ -67,7 +67,7 @@ TEST_F(CopterTest, ClimbsStraightUpWithinItsLimits) {
   EXPECT_NEAR(height(), 20, 0.05);
   EXPECT_NEAR(horizontal(place()), 0, 0.001);
   EXPECT_GT(climb_, 2.4);
-  EXPECT_LT(climb_, config_.climb_rate.value * 1.05);
+  EXPECT_LT(climb_, Handling{}.climb_rate.value * 1.05);
   EXPECT_LT(tilt_, 1e-6);
 }
 
@@ -82,7 +82,7 @@ TEST_F(CopterTest, FliesToAPointWithinItsLimits) {
   EXPECT_GT(fastest_, 7.5);
   EXPECT_LT(fastest_, 8 * 1.03);
   EXPECT_LT(acceleration_, config_.acceleration.value * 1.03);
-  EXPECT_LT(climb_, config_.climb_rate.value * 1.05);
+  EXPECT_LT(climb_, Handling{}.climb_rate.value * 1.05);
 }
 
 TEST_F(CopterTest, TurnsTowardsItsCourseAndTilts) {
@@ -115,9 +115,9 @@ TEST_F(CopterTest, LandsSlowlyAndStands) {
   take_off(25);
   copter_.land(std::nullopt);
   fly(10);
-  EXPECT_NEAR(sink_, config_.descent_rate.value, 0.03);
+  EXPECT_NEAR(sink_, Handling{}.descent_rate.value, 0.03);
   while (height() > 2) fly(dt);
-  EXPECT_NEAR(copter_.state().velocity.down, config_.landing_rate.value, 0.02);
+  EXPECT_NEAR(copter_.state().velocity.down, Handling{}.landing_rate.value, 0.02);
   fly(10);
   EXPECT_FALSE(copter_.state().airborne);
   EXPECT_EQ(height(), 0);

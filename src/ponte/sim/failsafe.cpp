@@ -96,7 +96,8 @@ void Failsafes::watch_station(const Step& step) {
 
 void Failsafes::watch_position(bool has_position, const Step& step) {
   const bool needs_one = flight_mode_info(kind_, step.flight.mode()).needs_position;
-  const bool lost = !has_position && step.airframe.state().airborne && (needs_one || position_lost_);
+  const bool matters = needs_one || position_lost_ || settings_.position_in_every_mode;
+  const bool lost = !has_position && step.airframe.state().airborne && matters;
   if (lost == position_lost_) return;
   position_lost_ = lost;
   if (!lost) {
@@ -154,6 +155,7 @@ void Failsafes::act(FailsafeAction action, const Step& step) {
     return;
   }
   switch (action) {
+    case keep_altitude: return enter(FlightMode::altitude_hold, step);
     case hold: return enter(is_px4() ? FlightMode::loiter : FlightMode::guided, step);
     case rtl: return enter(FlightMode::rtl, step);
     default: return enter(has_mode(kind_, FlightMode::land) ? FlightMode::land : FlightMode::rtl, step);

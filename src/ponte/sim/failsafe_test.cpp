@@ -1,12 +1,9 @@
 #include "ponte/sim/failsafe.hpp"
 
-#include "ponte/sim/flight_rig.hpp"
-#include "ponte/sim/plane.hpp"
+#include "ponte/sim/watched_flight.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <memory>
 
 namespace ponte::sim {
 namespace {
@@ -19,47 +16,6 @@ using ::testing::Not;
 constexpr VehicleKind ardu_copter{Personality::ardupilot, AirframeType::copter};
 constexpr VehicleKind px4_copter{Personality::px4, AirframeType::copter};
 
-/// A copter that hovers 25 m above home under the eyes of its failsafes.
-class Watched {
- public:
-  explicit Watched(VehicleKind kind, CopterConfig config = {})
-      : parameters_{kind.personality},
-        failsafes_{kind, failsafe_settings(kind, parameters_)},
-        rig{kind, std::make_unique<Copter>(config, field, Radians{})},
-        kind_{kind} {
-    rig.before_step = [this](Duration now, Flight& flight, Airframe& airframe, Outbox<FlightFact>& facts) {
-      if (station_) failsafes_.on_station_heartbeat(now);
-      flight.set_has_position(has_position);
-      failsafes_.step(now, has_position, flight, airframe, facts);
-    };
-    EXPECT_TRUE(rig.enter(kind.personality == Personality::px4 ? FlightMode::loiter : FlightMode::guided));
-    rig.arm();
-    EXPECT_TRUE(rig.take_off(25));
-    rig.wait(seconds{25});
-    rig.texts.clear();
-  }
-
-  void set(std::string_view name, double value) {
-    parameters_.set(name, value);
-    failsafes_.set_settings(failsafe_settings(kind_, parameters_));
-  }
-  const Failsafes& failsafes() const { return failsafes_; }
-  Failsafes& failsafes() { return failsafes_; }
-  void lose_station() { station_ = false; }
-
- private:
-  Parameters parameters_;
-  Failsafes failsafes_;
-  bool station_{true};
-
- public:
-  FlightRig rig;
-  bool has_position{true};
-
- private:
-  VehicleKind kind_;
-};
-
 /// So small that hovering empties it within the test: 25 s of hovering are about an eighth of an ampere hour.
 CopterConfig with_battery(double ampere_hours) {
   CopterConfig config;
@@ -68,7 +24,7 @@ CopterConfig with_battery(double ampere_hours) {
 }
 
 TEST(Failsafe, DoesNothingByDefaultAboutBatteryAndStation) {
-  Watched it{ardu_copter, with_battery(0.4)};
+  WatchedFlight it{ardu_copter, with_battery(0.4)};
   it.lose_station();
   it.rig.wait(seconds{60});
   EXPECT_EQ(it.rig.mode(), FlightMode::guided) << "BATT_FS_LOW_ACT and FS_GCS_ENABLE are 0";
@@ -77,7 +33,7 @@ TEST(Failsafe, DoesNothingByDefaultAboutBatteryAndStation) {
 }
 
 TEST(Failsafe, BatteryHasTwoStagesInArduCopter) {
-  Watched it{ardu_copter, with_battery(0.3)};
+  WatchedFlight it{ardu_copter, with_battery(0.3)};
   it.set("BATT_FS_LOW_ACT", 2);
   it.set("BATT_FS_CRT_ACT", 1);
   it.set("BATT_CRT_VOLT", 10.1);
@@ -102,7 +58,7 @@ TEST(Failsafe, BatteryHasTwoStagesInArduCopter) {
 }
 
 TEST(Failsafe, BatteryOfPx4WarnsReturnsAndLands) {
-  Watched it{px4_copter, with_battery(0.18)};
+  WatchedFlight it{px4_copter, with_battery(0.18)};
   it.set("COM_LOW_BAT_ACT", 3);
   ASSERT_TRUE(it.rig.wait_until([&] { return it.failsafes().charge_state() == ChargeState::low; }, seconds{60}));
   EXPECT_LT(it.rig.state().battery.remaining, 0.15);
@@ -120,7 +76,7 @@ TEST(Failsafe, BatteryOfPx4WarnsReturnsAndLands) {
 }
 
 TEST(Failsafe, BatteryOfPx4WarnsOnlyByDefault) {
-  Watched it{px4_copter, with_battery(0.18)};
+  WatchedFlight it{px4_copter, with_battery(0.18)};
   it.rig.wait(seconds{30});
   EXPECT_EQ(it.failsafes().charge_state(), ChargeState::emergency);
   EXPECT_EQ(it.rig.mode(), FlightMode::loiter);
@@ -128,7 +84,7 @@ TEST(Failsafe, BatteryOfPx4WarnsOnlyByDefault) {
 }
 
 TEST(Failsafe, StationLossOfArduCopterReturnsAfterFiveSeconds) {
-  Watched it{ardu_copter};
+  WatchedFlight it{ardu_copter};
   it.set("FS_GCS_ENABLE", 1);
   it.lose_station();
   it.rig.wait(milliseconds{4900});
@@ -144,7 +100,7 @@ TEST(Failsafe, StationLossOfArduCopterReturnsAfterFiveSeconds) {
 }
 
 TEST(Failsafe, StationLossOfPx4HoldsThenReturns) {
-  Watched it{px4_copter};
+  WatchedFlight it{px4_copter};
   it.set("NAV_DLL_ACT", 2);
   it.lose_station();
   it.rig.wait(milliseconds{9900});
@@ -158,10 +114,10 @@ TEST(Failsafe, StationLossOfPx4HoldsThenReturns) {
 
 TEST(Failsafe, AStationThatWasNeverHeardIsNotMissed) {
   const Parameters parameters{Personality::ardupilot};
-  auto settings = failsafe_settings(ardu_copter, parameters);
-  settings.station = FailsafeAction::rtl;
-  Failsafes failsafes{ardu_copter, settings};
-  Flight flight{ardu_copter, default_flight_settings(ardu_copter), false, {}};
+  auto settings = settings_of(ardu_copter, parameters);
+  settings.failsafes.station = FailsafeAction::rtl;
+  Failsafes failsafes{ardu_copter, settings.failsafes};
+  Flight flight{ardu_copter, settings.flight, false, {}};
   Copter copter{{}, field, {}};
   Outbox<FlightFact> facts{8};
   for (int second = 0; second < 60; ++second) failsafes.step(seconds{second}, true, flight, copter, facts);
@@ -171,7 +127,7 @@ TEST(Failsafe, AStationThatWasNeverHeardIsNotMissed) {
 
 TEST(Failsafe, PositionLossLandsWhereTheWindTakesIt) {
   for (const auto kind : {ardu_copter, px4_copter}) {
-    Watched it{kind};
+    WatchedFlight it{kind};
     it.rig.conditions().wind = {0, 3, 0};
     it.has_position = false;
     it.rig.wait(milliseconds{20});
@@ -180,14 +136,14 @@ TEST(Failsafe, PositionLossLandsWhereTheWindTakesIt) {
     ASSERT_TRUE(it.rig.wait_until([&] { return !it.rig.state().armed; }, seconds{60}));
     EXPECT_GT(it.rig.place().east, 20);
   }
-  Watched it{ardu_copter};
+  WatchedFlight it{ardu_copter};
   it.has_position = false;
   it.rig.wait(milliseconds{20});
   EXPECT_THAT(it.rig.texts, ElementsAre("EKF variance", "EKF Failsafe: changed to LAND Mode"));
 }
 
 TEST(Failsafe, ALandingThatLosesItsPositionGoesOnWithout) {
-  Watched it{ardu_copter};
+  WatchedFlight it{ardu_copter};
   ASSERT_TRUE(it.rig.enter(FlightMode::land));
   it.rig.wait(seconds{2});
   it.has_position = false;
@@ -197,7 +153,7 @@ TEST(Failsafe, ALandingThatLosesItsPositionGoesOnWithout) {
 }
 
 TEST(Failsafe, FenceOfArduCopterIsOffByDefaultAndReturnsWhenOn) {
-  Watched it{ardu_copter};
+  WatchedFlight it{ardu_copter};
   ASSERT_TRUE(it.rig.guide({.position = displaced(field, {0, 0, -130})}));
   it.rig.wait(seconds{60});
   EXPECT_EQ(it.rig.mode(), FlightMode::guided);
@@ -209,7 +165,7 @@ TEST(Failsafe, FenceOfArduCopterIsOffByDefaultAndReturnsWhenOn) {
 }
 
 TEST(Failsafe, FenceOfPx4Holds) {
-  Watched it{px4_copter};
+  WatchedFlight it{px4_copter};
   const std::vector items{item_at(messages::MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, {0, 0, 0}, {40})};
   it.failsafes().set_fence(items);
   ASSERT_TRUE(it.rig.reposition({.position = displaced(field, {200, 0, -25})}));
@@ -219,7 +175,7 @@ TEST(Failsafe, FenceOfPx4Holds) {
 }
 
 TEST(Failsafe, ALandingIsNotInterruptedByLess) {
-  Watched it{ardu_copter};
+  WatchedFlight it{ardu_copter};
   it.set("FS_GCS_ENABLE", 1);
   ASSERT_TRUE(it.rig.enter(FlightMode::land));
   it.lose_station();
@@ -228,7 +184,7 @@ TEST(Failsafe, ALandingIsNotInterruptedByLess) {
 }
 
 TEST(Failsafe, DisarmsOnTheGroundInsteadOfTakingOff) {
-  Watched it{ardu_copter};
+  WatchedFlight it{ardu_copter};
   ASSERT_TRUE(it.rig.enter(FlightMode::land));
   ASSERT_TRUE(it.rig.wait_until([&] { return !it.rig.state().armed; }, seconds{90}));
   it.set("FS_GCS_ENABLE", 1);
@@ -240,28 +196,11 @@ TEST(Failsafe, DisarmsOnTheGroundInsteadOfTakingOff) {
 }
 
 TEST(Failsafe, TerminationStopsTheMotors) {
-  Watched it{px4_copter};
+  WatchedFlight it{px4_copter};
   it.set("NAV_DLL_ACT", 5);
   it.lose_station();
   it.rig.wait(seconds{16});
   EXPECT_TRUE(it.failsafes().is_terminated());
-}
-
-TEST(FailsafeSettings, HaveTheRealDefaults) {
-  const auto ardupilot = failsafe_settings(ardu_copter, Parameters{Personality::ardupilot});
-  EXPECT_EQ(ardupilot.low_volts, 10.5);
-  EXPECT_EQ(ardupilot.low_volts_last, seconds{10});
-  EXPECT_EQ(ardupilot.station_time_out, seconds{5});
-  EXPECT_EQ(ardupilot.position, FailsafeAction::land);
-  EXPECT_FALSE(ardupilot.fence.is_enabled);
-  EXPECT_EQ(ardupilot.fence.most_height, Metres{100});
-  const auto px4 = failsafe_settings(px4_copter, Parameters{Personality::px4});
-  EXPECT_NEAR(px4.low_share, 0.15, 1e-6);
-  EXPECT_EQ(px4.critical, FailsafeAction::warn);
-  EXPECT_EQ(px4.station, FailsafeAction::none);
-  EXPECT_EQ(px4.breach, FailsafeAction::hold);
-  EXPECT_EQ(px4.fence.most_height, std::nullopt);
-  EXPECT_EQ(px4.hold_first, seconds{5});
 }
 
 }  // namespace

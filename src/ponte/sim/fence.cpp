@@ -34,8 +34,10 @@ bool surrounds(std::span<const MissionItem> corners, const Position& place) {
 std::optional<std::string_view> Fence::breach(const FenceSettings& settings, const Position& home,
                                               const Position& place) const {
   if (!settings.is_enabled) return std::nullopt;
-  if (settings.most_height && place.altitude_msl - home.altitude_msl > *settings.most_height) return "Max Alt";
-  if (settings.most_radius && horizontal(offset_between(home, place)) > settings.most_radius->value) return "Circle";
+  const auto exceeds = [](double value, Metres most) { return most > Metres{} && value > most.value; };
+  if (settings.heeds_height && exceeds((place.altitude_msl - home.altitude_msl).value, settings.most_height))
+    return "Max Alt";
+  if (settings.heeds_radius && exceeds(horizontal(offset_between(home, place)), settings.most_radius)) return "Circle";
   if (settings.heeds_uploaded && !allows(place)) return "Polygon";
   return std::nullopt;
 }

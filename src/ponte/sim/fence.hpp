@@ -11,10 +11,12 @@ namespace ponte::sim {
 
 /// Which fences are in force, besides those that were uploaded, as the parameters say.
 struct FenceSettings {
-  bool is_enabled{};                    ///< FENCE_ENABLE; PX4's always is
-  std::optional<Metres> most_height{};  ///< above home: FENCE_ALT_MAX, GF_MAX_VER_DIST
-  std::optional<Metres> most_radius{};  ///< about home: FENCE_RADIUS, GF_MAX_HOR_DIST
-  bool heeds_uploaded{};                ///< polygons and circles: bit 2 of FENCE_TYPE, yes
+  bool is_enabled{};
+  bool heeds_height{};
+  bool heeds_radius{};
+  bool heeds_uploaded{};  ///< polygons and circles
+  Metres most_height{};   ///< above home; 0: any
+  Metres most_radius{};   ///< about home; 0: any
 };
 
 /// Where a vehicle may fly.

@@ -27,7 +27,11 @@ bool allows(const std::vector<MissionItem>& items, const Position& place) {
 }
 
 TEST(Fence, LimitsHeightAndRadiusAboutHome) {
-  const FenceSettings settings{.is_enabled = true, .most_height = Metres{100}, .most_radius = Metres{300}};
+  const FenceSettings settings{.is_enabled = true,
+                               .heeds_height = true,
+                               .heeds_radius = true,
+                               .most_height = Metres{100},
+                               .most_radius = Metres{300}};
   const Fence fence;
   EXPECT_EQ(fence.breach(settings, field, at(200, 200, 99)), std::nullopt);
   EXPECT_EQ(fence.breach(settings, field, at(0, 0, 101)), "Max Alt");

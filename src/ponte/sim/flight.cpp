@@ -18,7 +18,6 @@ constexpr Metres highest_take_off{1000};       // above home
 constexpr double arrived_within = 1.0;         // m over ground: a corner of the square
 constexpr double at_altitude_within = 0.3;     // m
 constexpr double plane_altitude_within = 2.0;  // m
-constexpr Duration square_begins_after = std::chrono::seconds{2};
 
 FlightMode first_mode(VehicleKind kind) {
   if (kind.personality == Personality::px4) return loiter;
@@ -93,9 +92,10 @@ void Flight::begin(const FlightContext& flight) {
     case land: leg_ = Leg::land; return land_here(flight);
     case circle: {
       const double heading = state.attitude.heading.value;
-      const double radius = settings_.loiter_radius.value;
+      const double radius = settings_.handling.loiter_radius.value;
       const NorthEastDown ahead{std::cos(heading) * radius, std::sin(heading) * radius, 0};
-      return airframe.circle(displaced(airframe.known_position(), ahead), Metres{radius}, settings_.cruise_speed);
+      return airframe.circle(displaced(airframe.known_position(), ahead), Metres{radius},
+                             settings_.handling.cruise_speed);
     }
     case manual:
     case stabilize:
@@ -118,6 +118,7 @@ void Flight::climb(Metres height, const FlightContext& flight) {
 
 void Flight::on_armed(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
+  airframe.handle(settings_.handling);
   idle_since_ = now;
   was_airborne_ = false;
   has_landed_ = false;
@@ -173,18 +174,18 @@ bool Flight::guide(const GuidedTarget& target, Duration now, Airframe& airframe,
   if (mode_ != guided || !state.armed || (!state.airborne && !flight.is_px4())) return false;
   if (leg_ == Leg::take_off) return false;
   leg_ = Leg::guided;
-  guided_.take(target, speed_.value_or(settings_.cruise_speed), flight);
+  guided_.take(target, speed_.value_or(settings_.handling.cruise_speed), flight);
   return true;
 }
 
 bool Flight::reposition(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
   const auto mode = flight.is_px4() ? loiter : guided;
-  if (!airframe.state().airborne) return false;
+  if (!airframe.state().airborne || !airframe.state().armed) return false;
   if (mode_ != mode && !may_enter(mode, flight)) return false;
   if (mode_ != mode) change_mode(mode, flight);
   leg_ = Leg::guided;
-  guided_.take(target, speed_.value_or(settings_.cruise_speed), flight);
+  guided_.take(target, speed_.value_or(settings_.handling.cruise_speed), flight);
   return true;
 }
 
@@ -198,6 +199,7 @@ void Flight::change_speed(MetresPerSecond speed, Duration now, Airframe& airfram
 void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
   const auto& state = airframe.state();
+  airframe.handle(settings_.handling);
   if (!state.armed) {
     leg_ = Leg::none;
     was_airborne_ = false;
@@ -210,23 +212,7 @@ void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
     fly(flight);
   else
     wait_on_ground(flight);
-}
-
-void Flight::on_ground_left_or_reached(const FlightContext& flight) {
-  was_airborne_ = flight.airframe.state().airborne;
-  has_landed_ = !was_airborne_;
-  idle_since_ = flight.now;
-  if (has_landed_ && flight.airframe.state().crashed) return crash(flight);
-  if (has_landed_ && leg_ != Leg::mission) leg_ = Leg::none;
-  if (!flight.is_px4()) return;
-  flight.facts.push(notice(messages::MAV_SEVERITY_INFO, "{} detected\t", has_landed_ ? "Landing" : "Takeoff"));
-}
-
-void Flight::crash(const FlightContext& flight) {
-  flight.airframe.disarm();
-  on_disarmed();
-  flight.facts.push(notice(messages::MAV_SEVERITY_CRITICAL, "{}",
-                           flight.is_px4() ? "Crash detected, disarmed\t" : "Crash: Disarming"));
+  give_up_take_off(flight);
 }
 
 void Flight::fly(const FlightContext& flight) {
@@ -240,7 +226,8 @@ void Flight::fly(const FlightContext& flight) {
     case Leg::square: return fly_square(flight);
     case Leg::guided:
       guided_.step(flight);
-      if (flight.is_px4() && mode_ == guided && !guided_.is_fresh(flight)) change_mode(position_hold, flight);
+      if (flight.is_px4() && mode_ == guided && !guided_.is_fresh(flight))
+        change_mode(may_enter(settings_.offboard_lost, flight) ? settings_.offboard_lost : land, flight);
       return;
     case Leg::mission:
       mission_.step(flight);
@@ -266,29 +253,6 @@ void Flight::on_taken_off(const FlightContext& flight) {
   if (flight.is_px4()) change_mode(loiter, flight);
   leg_ = flies_square_ && mode_ == guided ? Leg::square : Leg::guided;
   flight.airframe.climb_to(home_.altitude_msl + height_);
-}
-
-void Flight::wait_on_ground(const FlightContext& flight) {
-  const auto idle = flight.now - idle_since_;
-  if (mode_ == guided && flies_square_ && !has_landed_ && idle >= square_begins_after) return climb(height_, flight);
-  const auto patience = has_landed_ ? settings_.disarms_landed_after : settings_.disarms_idle_after;
-  if (patience > Duration{} && idle >= patience) disarm(flight);
-}
-
-/// By itself, with the words of each autopilot.
-void Flight::disarm(const FlightContext& flight) {
-  flight.airframe.disarm();
-  const auto info = [&](const Notice& each) { flight.facts.push(each); };
-  if (flight.is_px4()) {
-    info(notice(messages::MAV_SEVERITY_INFO, "Disarmed by {}\t", has_landed_ ? "landing" : "auto preflight disarming"));
-    if (mode_ == rtl || mode_ == land || mode_ == FlightMode::take_off) mode_ = loiter;
-  } else if (flight.is_plane()) {
-    info(notice(messages::MAV_SEVERITY_INFO, "Throttle disarmed"));
-    info(notice(messages::MAV_SEVERITY_INFO, "Auto disarmed"));
-  } else {
-    info(notice(messages::MAV_SEVERITY_INFO, "Disarming motors"));
-  }
-  on_disarmed();
 }
 
 void Flight::fly_square(const FlightContext& flight) {

@@ -93,6 +93,7 @@ class Flight {
   void land_here(const FlightContext& flight);
   void on_taken_off(const FlightContext& flight);
   void wait_on_ground(const FlightContext& flight);
+  void give_up_take_off(const FlightContext& flight);
   void crash(const FlightContext& flight);
   void on_ground_left_or_reached(const FlightContext& flight);
   void disarm(const FlightContext& flight);
@@ -116,7 +117,8 @@ class Flight {
   bool was_airborne_{};
   bool has_landed_{};  // after a flight, as opposed to not having begun one
   std::uint8_t corner_{};
-  Duration idle_since_{};  // armed, on the ground, with nothing to do
+  std::optional<Duration> tries_since_{};  // to take off
+  Duration idle_since_{};                  // armed, on the ground, with nothing to do
 };
 
 }  // namespace ponte::sim

@@ -3,6 +3,7 @@
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/sim/copter.hpp"
 #include "ponte/sim/flight.hpp"
+#include "ponte/sim/settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,9 @@ constexpr Position field{radians_from_degrees(-30.06898), radians_from_degrees(-
 class FlightRig {
  public:
   FlightRig(VehicleKind kind, std::unique_ptr<Airframe> airframe)
-      : kind_{kind}, airframe_{std::move(airframe)}, flight_{kind, default_flight_settings(kind), false, {}} {
+      : kind_{kind},
+        airframe_{std::move(airframe)},
+        flight_{kind, settings_of(kind, Parameters{kind.personality, kind.type}).flight, false, {}} {
     flight_.set_home(field);
     flight_.set_has_position(true);
   }

@@ -6,7 +6,7 @@ void GuidedFlight::take(const GuidedTarget& target, MetresPerSecond speed, const
   remember(target, flight);
   auto& airframe = flight.airframe;
   if (target.position && flight.is_plane())
-    airframe.circle(*target.position, target.radius.value_or(flight.settings.loiter_radius),
+    airframe.circle(*target.position, target.radius.value_or(flight.settings.handling.loiter_radius),
                     target.speed.value_or(speed));
   else if (target.position)
     airframe.fly_to(*target.position, target.speed.value_or(speed));

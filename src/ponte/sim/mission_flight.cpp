@@ -177,13 +177,13 @@ void MissionFlight::start_leg(const MissionItem& item, const FlightContext& flig
 
 /// To the place of the item: a waypoint is passed, round the others a plane circles and a copter turns its rounds.
 void MissionFlight::travel(const MissionItem& item, const FlightContext& flight) {
-  const auto speed = speed_.value_or(flight.settings.cruise_speed);
+  const auto speed = speed_.value_or(flight.settings.handling.cruise_speed);
   const bool is_waypoint =
       item.command == messages::MAV_CMD_NAV_WAYPOINT || item.command == messages::MAV_CMD_NAV_SPLINE_WAYPOINT;
   if (is_waypoint || (!flight.is_plane() && leg_ != Leg::turns)) return flight.airframe.fly_to(place_, speed);
   // LOITER_TO_ALT has its radius in its second parameter.
   const double asked = leg_ == Leg::climb ? item.param2 : item.param3;
-  const double radius = std::isfinite(asked) && asked != 0 ? asked : flight.settings.loiter_radius.value;
+  const double radius = std::isfinite(asked) && asked != 0 ? asked : flight.settings.handling.loiter_radius.value;
   flight.airframe.circle(place_, Metres{radius}, speed);
 }
 
@@ -224,7 +224,7 @@ bool MissionFlight::has_arrived(const FlightContext& flight) const {
   double radius = flight.settings.acceptance_radius.value;
   if (is_waypoint && flight.is_px4() && item.param2 > 0) radius = item.param2;
   if (!flight.is_plane()) return horizontal(offset) < radius && std::abs(offset.down) < altitude_within;
-  if (!is_waypoint) return horizontal(offset) < flight.settings.loiter_radius.value * (1 + on_circle_within);
+  if (!is_waypoint) return horizontal(offset) < flight.settings.handling.loiter_radius.value * (1 + on_circle_within);
   if (horizontal(offset) < radius) return true;
   const auto leg = offset_between(from_, place_);
   return offset.north * leg.north + offset.east * leg.east < 0;
@@ -234,7 +234,7 @@ bool MissionFlight::has_arrived(const FlightContext& flight) const {
 bool MissionFlight::has_turned(const FlightContext& flight) {
   const auto& item = items_[current_];
   const double asked = std::abs(item.param3);
-  const double radius = asked > 0 ? asked : flight.settings.loiter_radius.value;
+  const double radius = asked > 0 ? asked : flight.settings.handling.loiter_radius.value;
   const auto offset = flight.offset_to(place_);
   const double bearing = std::atan2(-offset.east, -offset.north);
   if (!arrived_at_) {

@@ -1,54 +1,65 @@
 #include "ponte/sim/parameters.hpp"
 
 #include <array>
+#include <optional>
+#include <span>
 
-/// The tables of parameters: those that govern what is simulated, and those that ground stations look at.
+/// The tables of parameters: those that govern what is simulated, and those that ground stations look at. The defaults
+/// are those of ArduCopter and of a PX4 copter; of planes, those of what they share with them.
 namespace ponte::sim {
 namespace {
 
 using enum ParameterType;
+using enum AirframeType;
 
-constexpr auto ardupilot_table = std::to_array<ParameterInfo>({
-    {"FORMAT_VERSION", int16, 120},
-    {"PILOT_THR_FILT", real32, 0},
-    {"PILOT_TKOFF_ALT", real32, 0},
-    {"RTL_ALT", int32, 1500},
-    {"RTL_CONE_SLOPE", real32, 3},
-    {"RTL_SPEED", int16, 0},
-    {"RTL_ALT_FINAL", int16, 0},
-    {"RTL_CLIMB_MIN", int16, 0},
-    {"RTL_LOIT_TIME", int32, 5000},
-    {"RTL_ALT_TYPE", int8, 0},
-    {"FS_GCS_ENABLE", int8, 0},
-    {"GPS_HDOP_GOOD", int16, 140},
-    {"SUPER_SIMPLE", int8, 0},
-    {"WP_YAW_BEHAVIOR", int8, 2},
-    {"LAND_SPEED", int16, 50},
-    {"LAND_SPEED_HIGH", int16, 0},
-    {"PILOT_SPEED_UP", int16, 250},
-    {"PILOT_ACCEL_Z", int16, 250},
-    {"FS_THR_ENABLE", int8, 1},
-    {"FS_THR_VALUE", int16, 975},
-    {"THR_DZ", int16, 100},
-    {"FLTMODE1", int8, 7},
-    {"FLTMODE2", int8, 9},
-    {"FLTMODE3", int8, 6},
-    {"FLTMODE4", int8, 3},
-    {"FLTMODE5", int8, 5},
-    {"FLTMODE6", int8, 0},
-    {"FLTMODE_CH", int8, 5},
-    {"SIMPLE", int8, 0},
-    {"INITIAL_MODE", int8, 0},
-    {"LOG_BITMASK", int32, 180222},
-    {"FRAME_TYPE", int8, 0},
+struct Row {
+  std::string_view name;
+  ParameterType type;
+  double default_value;
+  std::optional<AirframeType> only{};  ///< where the other does not have it, or its default is not known
+};
+
+constexpr auto ardupilot_table = std::to_array<Row>({
+    {"FORMAT_VERSION", int16, 120, copter},
+    {"PILOT_THR_FILT", real32, 0, copter},
+    {"PILOT_TKOFF_ALT", real32, 0, copter},
+    {"RTL_ALT", int32, 1500, copter},
+    {"RTL_CONE_SLOPE", real32, 3, copter},
+    {"RTL_SPEED", int16, 0, copter},
+    {"RTL_ALT_FINAL", int16, 0, copter},
+    {"RTL_CLIMB_MIN", int16, 0, copter},
+    {"RTL_LOIT_TIME", int32, 5000, copter},
+    {"RTL_ALT_TYPE", int8, 0, copter},
+    {"FS_GCS_ENABLE", int8, 0, copter},
+    {"GPS_HDOP_GOOD", int16, 140, copter},
+    {"SUPER_SIMPLE", int8, 0, copter},
+    {"WP_YAW_BEHAVIOR", int8, 2, copter},
+    {"LAND_SPEED", int16, 50, copter},
+    {"LAND_SPEED_HIGH", int16, 0, copter},
+    {"PILOT_SPEED_UP", int16, 250, copter},
+    {"PILOT_ACCEL_Z", int16, 250, copter},
+    {"FS_THR_ENABLE", int8, 1, copter},
+    {"FS_THR_VALUE", int16, 975, copter},
+    {"THR_DZ", int16, 100, copter},
+    {"FLTMODE1", int8, 7, copter},
+    {"FLTMODE2", int8, 9, copter},
+    {"FLTMODE3", int8, 6, copter},
+    {"FLTMODE4", int8, 3, copter},
+    {"FLTMODE5", int8, 5, copter},
+    {"FLTMODE6", int8, 0, copter},
+    {"FLTMODE_CH", int8, 5, copter},
+    {"SIMPLE", int8, 0, copter},
+    {"INITIAL_MODE", int8, 0, copter},
+    {"LOG_BITMASK", int32, 180222, copter},
+    {"FRAME_TYPE", int8, 0, copter},
     {"ARMING_CHECK", int32, 1},
     {"ARMING_OPTIONS", int32, 0},
-    {"DISARM_DELAY", int8, 10},
-    {"ANGLE_MAX", int16, 3000},
-    {"LAND_REPOSITION", int8, 1},
-    {"FS_EKF_ACTION", int8, 1},
-    {"FS_EKF_THRESH", real32, 0.8},
-    {"FS_CRASH_CHECK", int8, 1},
+    {"DISARM_DELAY", int8, 10, copter},
+    {"ANGLE_MAX", int16, 3000, copter},
+    {"LAND_REPOSITION", int8, 1, copter},
+    {"FS_EKF_ACTION", int8, 1, copter},
+    {"FS_EKF_THRESH", real32, 0.8, copter},
+    {"FS_CRASH_CHECK", int8, 1, copter},
     {"RC1_MIN", int16, 1000},
     {"RC1_TRIM", int16, 1500},
     {"RC1_MAX", int16, 2000},
@@ -74,14 +85,14 @@ constexpr auto ardupilot_table = std::to_array<ParameterInfo>({
     {"INS_ACCOFFS_X", real32, 0.001},
     {"INS_ACCOFFS_Y", real32, 0.001},
     {"INS_ACCOFFS_Z", real32, 0.001},
-    {"WPNAV_SPEED", real32, 1e+03},
-    {"WPNAV_RADIUS", real32, 2e+02},
-    {"WPNAV_SPEED_UP", real32, 2.5e+02},
-    {"WPNAV_SPEED_DN", real32, 1.5e+02},
-    {"WPNAV_ACCEL", real32, 2.5e+02},
-    {"LOIT_SPEED", real32, 1.25e+03},
-    {"CIRCLE_RADIUS", real32, 1e+03},
-    {"CIRCLE_RATE", real32, 2e+01},
+    {"WPNAV_SPEED", real32, 1e+03, copter},
+    {"WPNAV_RADIUS", real32, 2e+02, copter},
+    {"WPNAV_SPEED_UP", real32, 2.5e+02, copter},
+    {"WPNAV_SPEED_DN", real32, 1.5e+02, copter},
+    {"WPNAV_ACCEL", real32, 2.5e+02, copter},
+    {"LOIT_SPEED", real32, 1.25e+03, copter},
+    {"CIRCLE_RADIUS", real32, 1e+03, copter},
+    {"CIRCLE_RATE", real32, 2e+01, copter},
     {"AHRS_EKF_TYPE", int8, 3},
     {"MNT1_TYPE", int8, 0},
     {"BATT_MONITOR", int8, 4},
@@ -97,7 +108,7 @@ constexpr auto ardupilot_table = std::to_array<ParameterInfo>({
     {"BATT_ARM_VOLT", real32, 0},
     {"BATT_ARM_MAH", int32, 0},
     {"GPS1_TYPE", int8, 1},
-    {"SCHED_LOOP_RATE", int16, 400},
+    {"SCHED_LOOP_RATE", int16, 400, copter},
     {"RALLY_TOTAL", int8, 0},
     {"RALLY_LIMIT_KM", real32, 0.3},
     {"RALLY_INCL_HOME", int8, 1},
@@ -105,21 +116,21 @@ constexpr auto ardupilot_table = std::to_array<ParameterInfo>({
     {"MIS_TOTAL", int16, 0},
     {"MIS_RESTART", int8, 0},
     {"MIS_OPTIONS", int16, 0},
-    {"FRAME_CLASS", int8, 1},
+    {"FRAME_CLASS", int8, 1, copter},
     {"RC_OVERRIDE_TIME", real32, 3},
     {"RC_FS_TIMEOUT", real32, 1},
-    {"LAND_ALT_LOW", int16, 1000},
-    {"FS_VIBE_ENABLE", int8, 1},
-    {"FS_OPTIONS", int32, 16},
-    {"AUTO_OPTIONS", int32, 0},
-    {"GUID_OPTIONS", int32, 0},
-    {"FS_GCS_TIMEOUT", real32, 5},
-    {"RTL_OPTIONS", int32, 0},
-    {"GUID_TIMEOUT", real32, 3},
-    {"FS_DR_ENABLE", int8, 2},
-    {"FS_DR_TIMEOUT", int16, 30},
+    {"LAND_ALT_LOW", int16, 1000, copter},
+    {"FS_VIBE_ENABLE", int8, 1, copter},
+    {"FS_OPTIONS", int32, 16, copter},
+    {"AUTO_OPTIONS", int32, 0, copter},
+    {"GUID_OPTIONS", int32, 0, copter},
+    {"FS_GCS_TIMEOUT", real32, 5, copter},
+    {"RTL_OPTIONS", int32, 0, copter},
+    {"GUID_TIMEOUT", real32, 3, copter},
+    {"FS_DR_ENABLE", int8, 2, copter},
+    {"FS_DR_TIMEOUT", int16, 30, copter},
     {"FENCE_ENABLE", int8, 0},
-    {"FENCE_TYPE", int8, 7},
+    {"FENCE_TYPE", int8, 7, copter},
     {"FENCE_ACTION", int8, 1},
     {"FENCE_ALT_MAX", real32, 1e+02},
     {"FENCE_RADIUS", real32, 3e+02},
@@ -136,7 +147,7 @@ constexpr auto ardupilot_table = std::to_array<ParameterInfo>({
     {"MAV_GCS_SYSID", int16, 255},
 });
 
-constexpr auto px4_table = std::to_array<ParameterInfo>({
+constexpr auto px4_table = std::to_array<Row>({
     {"BAT1_CAPACITY", real32, -1},
     {"BAT1_N_CELLS", int32, 4},
     {"BAT1_SOURCE", int32, 0},
@@ -148,8 +159,8 @@ constexpr auto px4_table = std::to_array<ParameterInfo>({
     {"CAL_ACC0_ID", int32, 1310988},
     {"CAL_GYRO0_ID", int32, 1310988},
     {"CAL_MAG0_ID", int32, 197388},
-    {"CA_AIRFRAME", int32, 0},
-    {"CA_ROTOR_COUNT", int32, 4},
+    {"CA_AIRFRAME", int32, 0, copter},
+    {"CA_ROTOR_COUNT", int32, 4, copter},
     {"CBRK_FLIGHTTERM", int32, 121212},
     {"CBRK_IO_SAFETY", int32, 22027},
     {"CBRK_SUPPLY_CHK", int32, 0},
@@ -181,6 +192,10 @@ constexpr auto px4_table = std::to_array<ParameterInfo>({
     {"EKF2_EN", int32, 1},
     {"EKF2_HGT_REF", int32, 1},
     {"EKF2_NOAID_TOUT", int32, 5000000},
+    {"FW_AIRSPD_MAX", real32, 20, plane},
+    {"FW_AIRSPD_TRIM", real32, 15, plane},
+    {"FW_T_CLMB_R_SP", real32, 3, plane},
+    {"FW_T_SINK_R_SP", real32, 2, plane},
     {"GF_ACTION", int32, 2},
     {"GF_MAX_HOR_DIST", real32, 0},
     {"GF_MAX_VER_DIST", real32, 0},
@@ -192,27 +207,29 @@ constexpr auto px4_table = std::to_array<ParameterInfo>({
     {"MAV_PROTO_VER", int32, 2},
     {"MAV_RADIO_TOUT", int32, 5},
     {"MAV_SYS_ID", int32, 1},
-    {"MAV_TYPE", int32, 2},
+    {"MAV_TYPE", int32, 2, copter},
+    {"MAV_TYPE", int32, 1, plane},
     {"MIS_COMMAND_TOUT", real32, 0},
     {"MIS_MNT_YAW_CTL", int32, 0},
     {"MIS_TAKEOFF_ALT", real32, 2.5},
     {"MIS_YAW_ERR", real32, 12},
     {"MIS_YAW_TMT", real32, -1},
     {"MNT_MODE_IN", int32, -1},
-    {"MPC_LAND_SPEED", real32, 0.7},
-    {"MPC_TILTMAX_AIR", real32, 45},
-    {"MPC_TKO_SPEED", real32, 1.5},
-    {"MPC_XY_CRUISE", real32, 5},
-    {"MPC_XY_VEL_MAX", real32, 12},
-    {"MPC_Z_VEL_MAX_DN", real32, 1.5},
-    {"MPC_Z_VEL_MAX_UP", real32, 3},
-    {"MPC_Z_V_AUTO_DN", real32, 1.5},
-    {"MPC_Z_V_AUTO_UP", real32, 3},
+    {"MPC_LAND_ALT2", real32, 5, copter},
+    {"MPC_LAND_SPEED", real32, 0.7, copter},
+    {"MPC_TILTMAX_AIR", real32, 45, copter},
+    {"MPC_TKO_SPEED", real32, 1.5, copter},
+    {"MPC_XY_CRUISE", real32, 5, copter},
+    {"MPC_XY_VEL_MAX", real32, 12, copter},
+    {"MPC_Z_VEL_MAX_DN", real32, 1.5, copter},
+    {"MPC_Z_VEL_MAX_UP", real32, 3, copter},
+    {"MPC_Z_V_AUTO_DN", real32, 1.5, copter},
+    {"MPC_Z_V_AUTO_UP", real32, 3, copter},
     {"NAV_ACC_RAD", real32, 1e+01},
     {"NAV_DLL_ACT", int32, 0},
-    {"NAV_FW_ALT_RAD", real32, 1e+01},
+    {"NAV_FW_ALT_RAD", real32, 1e+01, plane},
     {"NAV_LOITER_RAD", real32, 8e+01},
-    {"NAV_MC_ALT_RAD", real32, 0.8},
+    {"NAV_MC_ALT_RAD", real32, 0.8, copter},
     {"NAV_RCL_ACT", int32, 2},
     {"RTL_CONE_ANG", int32, 45},
     {"RTL_DESCEND_ALT", real32, 1e+01},
@@ -222,7 +239,7 @@ constexpr auto px4_table = std::to_array<ParameterInfo>({
     {"RTL_TYPE", int32, 0},
     {"SDLOG_MODE", int32, 1},
     {"SYS_AUTOCONFIG", int32, 0},
-    {"SYS_AUTOSTART", int32, 10040},
+    {"SYS_AUTOSTART", int32, 10040, copter},
     {"SYS_HAS_BARO", int32, 1},
     {"SYS_HAS_GPS", int32, 1},
     {"SYS_HAS_MAG", int32, 1},
@@ -231,9 +248,13 @@ constexpr auto px4_table = std::to_array<ParameterInfo>({
 
 }  // namespace
 
-std::span<const ParameterInfo> parameter_table(Personality personality, AirframeType /*type*/) {
-  if (personality == Personality::px4) return px4_table;
-  return ardupilot_table;
+std::vector<ParameterInfo> parameter_table(Personality personality, AirframeType type) {
+  const bool is_px4 = personality == Personality::px4;
+  const auto rows = is_px4 ? std::span<const Row>{px4_table} : std::span<const Row>{ardupilot_table};
+  std::vector<ParameterInfo> table;
+  for (const auto& row : rows)
+    if (!row.only || row.only == type) table.push_back({row.name, row.type, row.default_value});
+  return table;
 }
 
 }  // namespace ponte::sim

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +20,9 @@ struct ParameterInfo {
   double default_value;
 };
 
-/// What this autopilot has, in the order of its list. Names, types and defaults are the real ones.
-[[nodiscard]] std::span<const ParameterInfo> parameter_table(Personality personality, AirframeType type);
+/// What this autopilot has, in the order of its list. Names, types and defaults are the real ones; what a real plane
+/// has and is not known is not among them.
+[[nodiscard]] std::vector<ParameterInfo> parameter_table(Personality personality, AirframeType type);
 
 /// The parameters of one autopilot and their values, in the units of the autopilot. Whether a value makes sense is not
 /// examined, as on the real ones; that it fits its type is.
@@ -48,7 +48,7 @@ class Parameters {
   void set(std::string_view name, double value);
 
  private:
-  std::span<const ParameterInfo> table_;
+  std::vector<ParameterInfo> table_;
   std::vector<double> values_;
   std::uint32_t changes_{};
 };

@@ -13,6 +13,7 @@ constexpr double dt = std::chrono::duration<double>{Airframe::step_length}.count
 constexpr double bank_per_error = 4.0;      // 1/s
 constexpr double climb_lag = 0.8;           // s
 constexpr double climb_acceleration = 3.0;  // m/s^2
+constexpr double slowest_climb = 0.1;       // m/s, up and down
 constexpr double speeding_up = 0.5;         // 1/s
 constexpr double braking = 2.5;             // m/s^2, on the wheels
 constexpr double take_off_margin = 1.1;     // times the least airspeed
@@ -29,6 +30,11 @@ constexpr double full_amperes = 30.0;
 
 Plane::Plane(const PlaneConfig& config, const Position& place, Radians heading)
     : config_{config}, ground_{place.altitude_msl.value}, battery_{config.battery}, target_{place}, from_{place} {
+  handle({.cruise_speed = config.cruise_airspeed,
+          .most_speed = config.most_airspeed,
+          .climb_rate = config.climb_rate,
+          .descent_rate = config.descent_rate,
+          .loiter_radius = config.loiter_radius});
   state_.position = place;
   state_.attitude.heading = Radians{wrapped(heading.value)};
   state_.battery = battery_.state();
@@ -41,16 +47,25 @@ void Plane::arm() {
 }
 
 void Plane::disarm() {
-  PONTE_ASSERT(!state_.airborne);
   state_.armed = false;
   goal_ = Goal::rest;
+}
+
+void Plane::handle(const Handling& handling) {
+  const auto& [least, most] = std::pair{config_.least_airspeed.value, config_.most_airspeed.value};
+  handling_ = handling;
+  handling_.cruise_speed.value = std::clamp(handling.cruise_speed.value, least, most);
+  handling_.most_speed.value = std::clamp(handling.most_speed.value, least, most);
+  handling_.climb_rate.value = std::clamp(handling.climb_rate.value, slowest_climb, config_.climb_rate.value);
+  handling_.descent_rate.value = std::clamp(handling.descent_rate.value, slowest_climb, config_.descent_rate.value);
+  if (handling.loiter_radius.value == 0) handling_.loiter_radius = config_.loiter_radius;
 }
 
 void Plane::begin(Goal goal) {
   PONTE_ASSERT(state_.armed);
   goal_ = goal;
   from_ = known_position();
-  airspeed_wanted_ = config_.cruise_airspeed.value;
+  airspeed_wanted_ = handling_.cruise_speed.value;
 }
 
 double Plane::course() const { return std::atan2(state_.velocity.east, state_.velocity.north); }
@@ -75,7 +90,7 @@ void Plane::fly_to(const Position& target, MetresPerSecond airspeed) {
 void Plane::circle(const Position& centre, Metres radius, MetresPerSecond airspeed) {
   begin(Goal::circle);
   target_ = centre;
-  radius_ = radius.value != 0 ? radius.value : config_.loiter_radius.value;
+  radius_ = radius.value != 0 ? radius.value : handling_.loiter_radius.value;
   airspeed_wanted_ = airspeed.value;
 }
 
@@ -88,7 +103,7 @@ void Plane::hold() {
     return;
   }
   begin(Goal::circle);
-  radius_ = config_.loiter_radius.value;
+  radius_ = handling_.loiter_radius.value;
   target_ = displaced(from_, {-std::sin(course()) * radius_, std::cos(course()) * radius_, 0});
 }
 
@@ -120,16 +135,17 @@ void Plane::face(const Facing& /*facing*/) {}
 
 void Plane::step(const Conditions& conditions) {
   const auto before = state_.attitude;
+  const bool motor_runs = conditions.motors_run && state_.armed;
   state_.wind = conditions.wind;
   position_error_ = conditions.position_error;
   if (state_.airborne) {
-    fly(demand(conditions.motors_run));
+    fly(demand(motor_runs));
     if (state_.position.altitude_msl.value <= ground_ && state_.velocity.down >= 0) touch_down();
   } else if (goal_ != Goal::rest || ground_speed_ > 0) {
-    roll_on_ground(conditions.motors_run);
+    roll_on_ground(motor_runs);
   }
   state_.rates = body_rates(before, state_.attitude, dt);
-  use_energy(conditions.motors_run);
+  use_energy(motor_runs);
 }
 
 /// One step through the air, which moves with the wind. Turns are coordinated: what pulls round is the bank alone.
@@ -191,7 +207,7 @@ void Plane::touch_down() {
 void Plane::use_energy(bool motor_runs) {
   double amperes = electronics_amperes;
   state_.throttle = 0;
-  if (motor_runs && state_.armed && (state_.airborne || goal_ == Goal::take_off)) {
+  if (motor_runs && (state_.airborne || goal_ == Goal::take_off)) {
     const double speed = airspeed_ / config_.cruise_airspeed.value;
     const double load = 1 / std::cos(state_.attitude.roll.value);
     const double motor = state_.airborne

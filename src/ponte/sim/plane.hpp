@@ -14,7 +14,7 @@ struct PlaneConfig {
   MetresPerSecond descent_rate{4};
   Radians bank{radians_from_degrees(45)};
   RadiansPerSecond roll_rate{1.2};
-  Metres loiter_radius{60};  ///< where nobody says another
+  Metres loiter_radius{60};  ///< until its handling says another
   BatteryConfig battery{};
 };
 
@@ -27,6 +27,7 @@ class Plane final : public Airframe {
 
   void arm() override;
   void disarm() override;
+  void handle(const Handling& handling) override;
 
   void climb_to(Metres altitude_msl) override;
   /// Along the line from here. Once past it, it circles.
@@ -74,6 +75,7 @@ class Plane final : public Airframe {
   void use_energy(bool motor_runs);
 
   PlaneConfig config_;
+  Handling handling_;
   double ground_;  // m above mean sea level
   Battery battery_;
   AirframeState state_;

@@ -28,10 +28,10 @@ Plane::Demand Plane::demand(bool motor_runs) {
     const auto line = offset_between(from_, target_);
     if (to_target.north * line.north + to_target.east * line.east <= 0) {
       goal_ = Goal::circle;
-      radius_ = config_.loiter_radius.value;
+      radius_ = handling_.loiter_radius.value;
     }
   }
-  Demand result{.airspeed = std::clamp(airspeed_wanted_, config_.least_airspeed.value, config_.most_airspeed.value)};
+  Demand result{.airspeed = std::clamp(airspeed_wanted_, config_.least_airspeed.value, handling_.most_speed.value)};
   switch (goal_) {
     case Goal::circle: result.bank = bank_round_circle(); break;
     case Goal::take_off:
@@ -82,12 +82,12 @@ double Plane::bank_round_circle() const {
 
 double Plane::climb_to_target() const {
   const double above = (target_.altitude_msl - known_position().altitude_msl).value;
-  return std::clamp(climb_per_height * above, -config_.descent_rate.value, config_.climb_rate.value);
+  return std::clamp(climb_per_height * above, -handling_.descent_rate.value, handling_.climb_rate.value);
 }
 
 /// Down the straight slope to the place.
 double Plane::climb_on_slope() const {
-  if (goal_ == Goal::sink) return -config_.descent_rate.value / 2;
+  if (goal_ == Goal::sink) return -handling_.descent_rate.value / 2;
   const auto line = offset_between(from_, target_);
   const auto rest = offset_between(known_position(), target_);
   const double slope = std::min(line.down / std::max(horizontal(line), 1.0), steepest_slope);
@@ -95,7 +95,7 @@ double Plane::climb_on_slope() const {
   const double to_go = ahead > 0 ? horizontal(rest) : 0;
   const double above = ground_ + slope * to_go - known_position().altitude_msl.value;
   const double sinking = slope * horizontal(state_.velocity);
-  return std::clamp(climb_per_height * above - sinking, -config_.descent_rate.value, 0.0);
+  return std::clamp(climb_per_height * above - sinking, -handling_.descent_rate.value, 0.0);
 }
 
 }  // namespace ponte::sim

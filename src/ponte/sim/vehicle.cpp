@@ -39,10 +39,11 @@ void Vehicle::on_tick(Timestamp now, Outbox<Frame>& out) {
 
 void Vehicle::reboot() {
   autopilot_.reset();
+  if (config_.personality == Personality::px4) airframe_->disarm();
   boot_step_ = steps_ + reboot_steps;
 }
 
-/// While there is no autopilot, the aircraft goes on with what it was told last.
+/// While ArduPilot starts anew, the aircraft goes on with what it was told last.
 void Vehicle::step(Outbox<Frame>& out) {
   ++steps_;
   begin_faults();

@@ -135,6 +135,39 @@ TEST(World, ARebootInTheAirLeavesItWhereItIs) {
   EXPECT_LT(horizontal(station.place()), 1);
 }
 
+TEST(World, ARebootOfPx4InTheAirLetsItFall) {
+  TestStation station{{.personality = Personality::px4, .faults = faults("reboot@40s"), .fly_square = false}};
+  station.wait(seconds{9});
+  ASSERT_EQ(station.arm(), accepted);
+  ASSERT_EQ(station.take_off(80), accepted) << "to 80 m above the sea";
+  station.wait(milliseconds{31'500});
+  EXPECT_FALSE(station.truth().armed);
+  EXPECT_TRUE(station.truth().airborne);
+  EXPECT_NE(station.arm(), accepted) << "on its way down";
+  EXPECT_NE(station.command(messages::MAV_CMD_DO_REPOSITION, {-1, 0, 0, 0, -30.07F, -51.12F, 100}), accepted);
+  ASSERT_TRUE(station.wait_until([&] { return !station.truth().airborne; }, seconds{10}));
+  EXPECT_TRUE(station.truth().crashed);
+  station.wait(seconds{10});
+  EXPECT_THAT(station.texts(), Contains("Ready for takeoff!\t"));
+}
+
+TEST(World, ATakeOffWithoutAMotorIsGivenUp) {
+  for (const auto personality : {Personality::ardupilot, Personality::px4}) {
+    TestStation station{{.personality = personality, .faults = faults("motor@1s"), .fly_square = false}};
+    station.wait(seconds{9});
+    if (personality == Personality::ardupilot) {
+      ASSERT_EQ(station.set_mode(FlightMode::guided), accepted);
+    }
+    ASSERT_EQ(station.arm(), accepted);
+    ASSERT_EQ(station.take_off(80), accepted);
+    station.wait(seconds{9});
+    EXPECT_TRUE(station.truth().armed);
+    station.wait(milliseconds{1100});
+    EXPECT_FALSE(station.truth().armed) << "DISARM_DELAY, COM_DISARM_PRFLT";
+    EXPECT_FALSE(station.truth().airborne);
+  }
+}
+
 TEST(World, IsTheSameForTheSameSeedWithGustsAndFaults) {
   const auto record = [](std::uint64_t seed) {
     auto station = hovering({.wind = {.speed = MetresPerSecond{5}, .gusts = 0.3},

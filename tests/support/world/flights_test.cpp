@@ -132,7 +132,7 @@ class FlightWorld {
   }
 
   void fly(Totals& totals) {
-    const bool is_done = world_.run_until([this] { return pilot_->phase() == Pilot::Phase::done; }, minutes{40});
+    const bool is_done = world_.run_until([this] { return pilot_->is_over(); }, minutes{40});
     ++totals.worlds;
     totals.faults += faults_;
     if (pilot_->started())

@@ -29,6 +29,7 @@ namespace {
 
 constexpr Duration heartbeat_period = seconds{1};
 constexpr Duration patience = milliseconds{1500};
+constexpr std::uint8_t most_attempts_to_arm = 100;  // something is wrong with the vehicle
 
 /// Two numbers mean the same frame, and each autopilot gives back its own.
 std::uint8_t one_frame(std::uint8_t frame) {
@@ -94,11 +95,14 @@ void Pilot::act() {
     case Phase::choosing_mode:
       if (config_.kind.personality == sim::Personality::px4) return command(messages::MAV_CMD_DO_SET_MODE, {1, 4, 4});
       return command(messages::MAV_CMD_DO_SET_MODE, {1, is_plane() ? 10.0F : 4.0F, 0});  // AUTO or GUIDED
-    case Phase::arming: return command(messages::MAV_CMD_COMPONENT_ARM_DISARM, {1, 0, 0});
+    case Phase::arming:
+      if (confirmation_ == most_attempts_to_arm) return go_on_to(Phase::refused);
+      return command(messages::MAV_CMD_COMPONENT_ARM_DISARM, {1, 0, 0});
     case Phase::starting: return command(messages::MAV_CMD_MISSION_START, {});
     case Phase::looking:
     case Phase::flying:
-    case Phase::done: next_try_ = Timestamp::max(); return;
+    case Phase::done:
+    case Phase::refused: next_try_ = Timestamp::max(); return;
   }
 }
 
@@ -197,6 +201,7 @@ std::string_view name_of(Pilot::Phase phase) {
     case Phase::starting: return "starting the mission";
     case Phase::flying: return "flying";
     case Phase::done: return "done";
+    case Phase::refused: return "given up, as the vehicle does not arm";
   }
   return {};
 }

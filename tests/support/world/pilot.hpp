@@ -32,8 +32,20 @@ class Pilot final : public Participant, private mavlink::FrameSink {
   void on_tick(Timestamp now, Sender& out) override;
   [[nodiscard]] std::optional<Timestamp> next_deadline() const override;
 
-  enum class Phase : std::uint8_t { looking, uploading, reading_back, choosing_mode, arming, starting, flying, done };
+  enum class Phase : std::uint8_t {
+    looking,
+    uploading,
+    reading_back,
+    choosing_mode,
+    arming,
+    starting,
+    flying,
+    done,
+    refused
+  };
   [[nodiscard]] Phase phase() const { return phase_; }
+  /// The flight is over, or never began.
+  [[nodiscard]] bool is_over() const { return phase_ == Phase::done || phase_ == Phase::refused; }
   /// What the vehicle gave back differs from what it had accepted.
   [[nodiscard]] const std::string& difference() const { return difference_; }
   /// As the vehicle says.
