@@ -54,10 +54,16 @@ def world(programs: Path) -> list[Figure]:
     return [Figure("world", "virtual time", value, "x real", target=1000.0, at_least=True)]
 
 
+def sim(programs: Path) -> list[Figure]:
+    """Seconds of one core for each second in which 200 vehicles fly: below 1 is real time."""
+    return [Figure("sim", case, value, "s/s", target=1) for case, value in measured_by(programs / "bench_sim").items()]
+
+
 BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
     "mavlink": mavlink.figures,
     "vsm": vsm,
     "world": world,
+    "sim": sim,
     "page": page.figures,
     "planning": planning.figures,
 }

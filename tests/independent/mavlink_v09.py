@@ -14,7 +14,7 @@ START = 0x55
 MANUAL, GUIDED, AUTO = 2, 3, 4  # MAV_MODE
 GROUNDED, WAYPOINT, LANDING = 0, 3, 6  # MAV_NAV
 STANDBY, ACTIVE = 3, 4  # MAV_STATE
-MOTORS_START, LAND = 1, 26  # MAV_ACTION
+MOTORS_START, LAUNCH, LAND = 1, 2, 26  # MAV_ACTION
 
 # Name: id, layout, names of the fields.
 MESSAGES: dict[str, tuple[int, str, str]] = {

@@ -145,6 +145,9 @@ def test_sim_is_an_autopilot_of_2011(start_ponte: StartPonte) -> None:
         assert answer.fields["action"] == v09.MOTORS_START
         if answer.fields["result"] == 1:
             break
+    say("SET_MODE", 1, v09.GUIDED)
+    say("ACTION", 1, 1, v09.LAUNCH)
+    assert until(lambda frame: frame.name == "ACTION_ACK").fields == {"action": v09.LAUNCH, "result": 1}
     until(lambda frame: frame.name == "GLOBAL_POSITION_INT" and frame.fields["vz"] > 50)  # up
     say("ACTION", 1, 1, v09.LAND)
     assert until(lambda frame: frame.name == "ACTION_ACK").fields == {"action": v09.LAND, "result": 1}

@@ -3,6 +3,7 @@
 #include "common/endpoint_option.hpp"
 #include "common/failure.hpp"
 #include "common/log.hpp"
+#include "common/standard_input.hpp"
 #include "ponte/transport/line_reader.hpp"
 #include "route/live_router.hpp"
 #include "route/route_commands.hpp"
@@ -13,9 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -76,17 +75,11 @@ void draw_status(const LiveRouter::Totals& now, const LiveRouter::Totals& before
              rate(now.received, before.received), rate(now.sent, before.sent), now.dropped);
 }
 
-transport::FileDescriptor opened_standard_input() {
-  auto input = transport::standard_input();
-  if (!input) throw Failure{fmt::format("--commands: standard input cannot be read: {}", std::strerror(errno))};
-  return input;
-}
-
 void run(const Options& options) {
   std::vector<LimitOption> limits;
   for (const auto& text : options.limits) limits.push_back(limit_from(text));
   check(options, limits);
-  auto input = options.commands ? opened_standard_input() : transport::FileDescriptor{};
+  auto input = options.commands ? open_standard_input("--commands") : transport::FileDescriptor{};
 
   transport::Loop loop;
   const auto log = make_log(options.log);

@@ -35,7 +35,9 @@ class LiveVehicle::Receiver final : public mavlink::FrameSink {
         return;
       }
     }
+    owner_.catch_up(now_);
     owner_.vehicle_.on_frame(now_, frame, *message, owner_.out_);
+    owner_.flush();
   }
 
  private:
@@ -55,11 +57,19 @@ LiveVehicle::LiveVehicle(transport::Loop& loop, const sim::VehicleConfig& config
       security_{security},
       timer_{loop,
              [this](Timestamp now) {
-               vehicle_.on_tick(simulated(now), out_);
+               catch_up(simulated(now));
                send();
              }},
       arm_timer_{loop, [this](Timestamp now) { arm(now); }} {
   timer_.set(power_on_);
+}
+
+/// Step by step, however many are due, so that the outbox never holds more than what one of them says.
+void LiveVehicle::catch_up(Timestamp simulated_now) {
+  while (vehicle_.next_deadline() <= simulated_now) {
+    vehicle_.on_tick(vehicle_.next_deadline(), out_);
+    flush();
+  }
 }
 
 void LiveVehicle::arm_after(Duration wait) { arm_timer_.set(power_on_ + wait); }
@@ -82,6 +92,12 @@ void LiveVehicle::arm(Timestamp now) {
   mavlink::Parser parser{autopilot::dialect};
   parser.on_datagram(Bytes{buffer}.first(*size), receiver);
   send();
+}
+
+Result<sim::Fault, std::string> LiveVehicle::inject(std::string_view fault) {
+  const auto parsed = sim::parse_fault(fault, simulated(loop_.now()) - Timestamp{});
+  if (parsed) vehicle_.inject(*parsed);
+  return parsed;
 }
 
 Timestamp LiveVehicle::simulated(Timestamp now) const {
@@ -128,12 +144,16 @@ void LiveVehicle::on_peer(Timestamp, transport::PeerId peer, transport::PeerChan
   if (change == transport::PeerChange::left) peers_.erase(peer);
 }
 
-void LiveVehicle::send() {
+void LiveVehicle::flush() {
   out_.drain([&](sim::Frame frame) {
     if (security_.signer != nullptr && frame.buffer[0] == mavlink::start_v2)
       frame.size = security_.signer->sign(transport::Loop::wall(), link_id, frame.buffer, frame.size);
     if (link_) link_->send(frame.bytes());
   });
+}
+
+void LiveVehicle::send() {
+  flush();
   const auto ahead = vehicle_.next_deadline() - simulated(loop_.now());
   timer_.set(loop_.now() + std::chrono::duration_cast<Duration>(ahead / speedup_));
 }

@@ -27,8 +27,8 @@ class LiveVehicle final : public transport::LinkHandler {
   LiveVehicle(transport::Loop& loop, const sim::VehicleConfig& config, double speedup,
               const VehicleSecurity& security = {});
 
-  /// The link that was opened with this object as its handler.
-  void attach(std::unique_ptr<transport::Link> link) { link_ = std::move(link); }
+  /// The link that was opened with this object, or the fleet that it is in, as its handler.
+  void attach(std::shared_ptr<transport::Link> link) { link_ = std::move(link); }
   [[nodiscard]] const sim::Vehicle& vehicle() const { return vehicle_; }
 
   void on_bytes(Timestamp now, Bytes bytes, transport::PeerId peer) override;
@@ -38,6 +38,10 @@ class LiveVehicle final : public transport::LinkHandler {
 
   /// Arms the vehicle after so long, as a pilot would by command.
   void arm_after(Duration wait);
+  /// Something goes wrong: at once, or at the time that the text names (see `sim::parse_fault`). The error is the
+  /// text's.
+  [[nodiscard]] Result<sim::Fault, std::string> inject(std::string_view fault);
+  [[nodiscard]] mavlink::SystemId system() const { return system_; }
   /// What came and was not taken.
   [[nodiscard]] const mavlink::Refusals& refused() const { return refused_; }
 
@@ -54,6 +58,8 @@ class LiveVehicle final : public transport::LinkHandler {
   void arm(Timestamp now);
   Peer& find(transport::PeerId peer);
   void set_up_signing(const mavlink::FrameView& frame);
+  void catch_up(Timestamp simulated_now);
+  void flush();
   void send();
 
   transport::Loop& loop_;
@@ -62,7 +68,7 @@ class LiveVehicle final : public transport::LinkHandler {
   sim::Vehicle vehicle_;
   double speedup_;
   Timestamp power_on_;
-  std::unique_ptr<transport::Link> link_;
+  std::shared_ptr<transport::Link> link_;  ///< of this vehicle, or of a fleet
   std::map<transport::PeerId, std::unique_ptr<Peer>> peers_;
   VehicleSecurity security_;
   std::optional<mavlink::Signer> set_up_;  ///< with the key of SETUP_SIGNING

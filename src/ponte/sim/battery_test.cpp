@@ -38,5 +38,16 @@ TEST(Battery, StaysEmpty) {
   EXPECT_NEAR(battery.state().volts, 14 - 10 * 0.05, 1e-9);
 }
 
+TEST(Battery, LosesChargeWithoutGivingIt) {
+  Battery battery{config};
+  battery.lose_all_but(0.1);
+  battery.drain(0, 1);
+  EXPECT_NEAR(battery.state().remaining, 0.1, 1e-9);
+  EXPECT_NEAR(battery.state().volts, 14.2, 1e-9);
+  EXPECT_EQ(battery.state().consumed_ampere_hours, 0);
+  battery.lose_all_but(0.5);
+  EXPECT_NEAR(battery.state().remaining, 0.1, 1e-9) << "it gets no fuller";
+}
+
 }  // namespace
 }  // namespace ponte::sim

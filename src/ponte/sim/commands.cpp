@@ -1,159 +1,104 @@
+#include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/command_ack.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
 #include "ponte/sim/autopilot.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <optional>
-
-/// The commands of the autopilot, with ArduCopter's answers to them.
+/// The commands of the autopilot, with each one's answers to them.
 namespace ponte::sim {
 
 namespace messages = mavlink::autopilots;
 
 namespace {
 
-constexpr double longest_interval_us = 60e6;
-
-/// The whole number that a parameter carries, from 0 to `most`, or nothing.
-std::optional<std::uint32_t> whole_number(float parameter, std::uint32_t most) {
-  if (!(parameter >= 0) || double{parameter} > most || std::floor(parameter) != parameter) return std::nullopt;
-  return static_cast<std::uint32_t>(parameter);
-}
-
-std::optional<std::size_t> row_named_by(float parameter) {
-  constexpr std::uint32_t largest_id = 0xFF'FFFF;
-  const auto id = whole_number(parameter, largest_id);
-  return id ? find_telemetry_row(mavlink::MessageId{*id}) : std::nullopt;
-}
-
-/// Formats without allocation; what is too long for a STATUSTEXT is cut.
-template <class... Args>
-std::string_view format_to(std::array<char, 50>& buffer, fmt::format_string<Args...> format, Args&&... args) {
-  const auto result = fmt::format_to_n(buffer.data(), buffer.size(), format, std::forward<Args>(args)...);
-  return {buffer.data(), std::min(result.size, buffer.size())};
-}
+constexpr Duration calibration_lasts = std::chrono::seconds{2};
 
 }  // namespace
 
-void Autopilot::on_command(const CommandLong& command, Requester requester, Copter& copter, Outbox<Frame>& out) {
-  const auto result = execute(command, copter, out);
-  acknowledge(command.command, result, requester, out);
-  if (result != messages::MAV_RESULT_ACCEPTED || command.command != messages::MAV_CMD_REQUEST_MESSAGE) return;
-  if (const auto row = row_named_by(command.param1)) rows()[*row].send(snapshot_, sender_, out);
+void Autopilot::on_command(const Command& command, Call& call) {
+  const auto result = execute(command, call);
+  acknowledge(command.number, result, call.requester, call.speaker);
+  if (result == messages::MAV_RESULT_ACCEPTED) send_requested(command, call);
 }
 
-std::uint8_t Autopilot::execute(const CommandLong& command, Copter& copter, Outbox<Frame>& out) {
-  switch (command.command) {
-    case messages::MAV_CMD_COMPONENT_ARM_DISARM: return arm_or_disarm(command, copter, out);
-    case messages::MAV_CMD_NAV_TAKEOFF: return take_off(command, copter);
-    case messages::MAV_CMD_NAV_RETURN_TO_LAUNCH: return enter(FlightMode::rtl, copter, out);
-    case messages::MAV_CMD_NAV_LAND: return enter(FlightMode::land, copter, out);
-    case messages::MAV_CMD_DO_SET_MODE: return set_mode(command.param1, command.param2, copter, out);
-    case messages::MAV_CMD_SET_MESSAGE_INTERVAL: return set_message_interval(command, out);
+std::uint8_t Autopilot::execute(const Command& command, Call& call) {
+  switch (command.number) {
+    case messages::MAV_CMD_COMPONENT_ARM_DISARM: return arm_or_disarm(command, call);
+    case messages::MAV_CMD_RUN_PREARM_CHECKS: return messages::MAV_RESULT_ACCEPTED;
+
+    case messages::MAV_CMD_NAV_TAKEOFF: return take_off(command, call);
+    case messages::MAV_CMD_NAV_RETURN_TO_LAUNCH: return enter(FlightMode::rtl, call);
+    case messages::MAV_CMD_NAV_LAND: return enter(FlightMode::land, call);
+    case messages::MAV_CMD_NAV_LOITER_UNLIM: return enter(FlightMode::loiter, call);
+    case messages::MAV_CMD_DO_SET_MODE: return do_set_mode(command, call);
+    case messages::MAV_CMD_DO_REPOSITION: return reposition(command, call);
+    case messages::MAV_CMD_DO_CHANGE_SPEED: return change_speed(command, call);
+    case messages::MAV_CMD_DO_SET_HOME: return set_home(command, call);
+    case messages::MAV_CMD_MISSION_START: return start_mission(command, call);
+    case messages::MAV_CMD_DO_PAUSE_CONTINUE: return pause_or_continue(command, call);
+    case messages::MAV_CMD_DO_SET_MISSION_CURRENT: return set_mission_item(command, call);
+
+    case messages::MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW:
+    case messages::MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE:
+    case messages::MAV_CMD_DO_MOUNT_CONFIGURE:
+    case messages::MAV_CMD_DO_MOUNT_CONTROL: return point_gimbal(command, call);
+    case messages::MAV_CMD_DO_SET_ROI:
+    case messages::MAV_CMD_DO_SET_ROI_LOCATION:
+    case messages::MAV_CMD_DO_SET_ROI_NONE: return look_at(command);
+
+    case messages::MAV_CMD_SET_MESSAGE_INTERVAL: return set_message_interval(command, call);
+    case messages::MAV_CMD_GET_MESSAGE_INTERVAL: return tell_message_interval(command, call);
     case messages::MAV_CMD_REQUEST_MESSAGE:
       return row_named_by(command.param1) ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
-    case messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: return reboot(command, copter);
+    case messages::MAV_CMD_GET_HOME_POSITION:
+      return snapshot_.has_position ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
+    case messages::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES:
+      return is_px4() ? messages::MAV_RESULT_UNSUPPORTED : messages::MAV_RESULT_ACCEPTED;
+
+    case messages::MAV_CMD_PREFLIGHT_CALIBRATION: return calibrate(command, call);
+    case messages::MAV_CMD_PREFLIGHT_STORAGE: return messages::MAV_RESULT_ACCEPTED;  // nothing is volatile here
+    case messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: return reboot(command, call);
     default: return messages::MAV_RESULT_UNSUPPORTED;
   }
 }
 
-/// No parameter makes it skip a check.
-std::uint8_t Autopilot::arm_or_disarm(const CommandLong& command, Copter& copter, Outbox<Frame>& out) {
-  const auto& state = copter.state();
-  if (command.param1 == 0) {
-    if (state.airborne) return messages::MAV_RESULT_FAILED;
-    if (!state.armed) return messages::MAV_RESULT_ACCEPTED;
-    copter.disarm();
-    say(messages::MAV_SEVERITY_INFO, "Disarming motors", out);
-    return messages::MAV_RESULT_ACCEPTED;
-  }
+/// Of the gyroscopes (parameter 1) or the barometer (parameter 3), which takes a while. Others need hands.
+std::uint8_t Autopilot::calibrate(const Command& command, Call& call) {
+  if (snapshot_.armed || running_) return messages::MAV_RESULT_TEMPORARILY_REJECTED;
+  if (command.param1 != 1 && command.param3 != 1) return messages::MAV_RESULT_UNSUPPORTED;
+  running_ = {
+      .command = command.number, .requester = call.requester, .done_at = snapshot_.since_boot + calibration_lasts};
+  return messages::MAV_RESULT_IN_PROGRESS;
+}
+
+void Autopilot::on_cancel(std::uint16_t command, Call& call) {
+  if (!running_ || running_->command != command) return;
+  acknowledge(command, messages::MAV_RESULT_CANCELLED, call.requester, call.speaker);
+  running_.reset();
+}
+
+/// With what has been answered by IN_PROGRESS.
+void Autopilot::go_on(Speaker& speaker) {
+  if (!running_ || snapshot_.since_boot < running_->done_at) return;
+  acknowledge(running_->command, messages::MAV_RESULT_ACCEPTED, running_->requester, speaker);
+  running_.reset();
+}
+
+std::uint8_t Autopilot::reboot(const Command& command, const Call& call) {
   if (command.param1 != 1) return messages::MAV_RESULT_UNSUPPORTED;
-  if (state.armed) return messages::MAV_RESULT_ACCEPTED;
-
-  const auto refuse = [&](std::string_view reason) {
-    say(messages::MAV_SEVERITY_CRITICAL, reason, out);
-    return messages::MAV_RESULT_FAILED;
-  };
-  if (!snapshot_.is_ready) return refuse("Arm: System not initialised");
-  if (!snapshot_.has_position) return refuse("Arm: Need Position Estimate");
-  const auto mode = flight_.mode();
-  if (mode == FlightMode::automatic || mode == FlightMode::rtl || mode == FlightMode::land) {
-    std::array<char, 50> text{};
-    return refuse(format_to(text, "Arm: {} mode not armable", name_of(mode)));
-  }
-  copter.arm();
-  say(messages::MAV_SEVERITY_INFO, "Arming motors", out);
-  flight_.set_home(state.position);
-  flight_.on_armed(copter);
-  snapshot_.home = flight_.home();
-  send_row(messages::HomePosition::info.id, out);
-  return messages::MAV_RESULT_ACCEPTED;
-}
-
-std::uint8_t Autopilot::take_off(const CommandLong& command, Copter& copter) {
-  if (!std::isfinite(command.param7)) return messages::MAV_RESULT_DENIED;
-  return flight_.take_off(Metres{command.param7}, copter) ? messages::MAV_RESULT_ACCEPTED : messages::MAV_RESULT_FAILED;
-}
-
-std::uint8_t Autopilot::set_mode(float base_mode, float custom_mode, Copter& copter, Outbox<Frame>& out) {
-  const auto flags = whole_number(base_mode, 255);
-  if (!flags || (*flags & messages::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) == 0) return messages::MAV_RESULT_DENIED;
-  const auto number = whole_number(custom_mode, 255);
-  const auto mode = number ? flight_mode(*number) : std::nullopt;
-  if (mode) return enter(*mode, copter, out);
-  std::array<char, 50> text{};
-  say(messages::MAV_SEVERITY_WARNING, format_to(text, "No such mode {}", custom_mode), out);
-  return messages::MAV_RESULT_FAILED;
-}
-
-std::uint8_t Autopilot::enter(FlightMode mode, Copter& copter, Outbox<Frame>& out) {
-  if (flight_.enter(mode, copter)) return messages::MAV_RESULT_ACCEPTED;
-  std::array<char, 50> text{};
-  say(messages::MAV_SEVERITY_WARNING, format_to(text, "Mode change to {} failed: init failed", name_of(mode)), out);
-  return messages::MAV_RESULT_FAILED;
-}
-
-std::uint8_t Autopilot::set_message_interval(const CommandLong& command, Outbox<Frame>& out) {
-  const auto row = row_named_by(command.param1);
-  if (!row || !std::isfinite(command.param2)) return messages::MAV_RESULT_DENIED;
-  const auto now = snapshot_.since_boot;
-  if (command.param2 == 0) {
-    rates_.reset_interval(*row, now);
-    return messages::MAV_RESULT_ACCEPTED;
-  }
-  if (command.param2 < 0) {
-    rates_.set_interval(*row, std::nullopt, now);
-    return messages::MAV_RESULT_ACCEPTED;
-  }
-  const auto microseconds = static_cast<std::int64_t>(std::min(double{command.param2}, longest_interval_us));
-  const Duration interval = std::chrono::microseconds{microseconds};
-  if (interval < MessageRates::shortest_interval) {
-    std::array<char, 50> text{};
-    const auto id = rows()[*row].info->id.value;
-    say(messages::MAV_SEVERITY_INFO, format_to(text, "Requested rate for message ID {} too fast.", id), out);
-    return messages::MAV_RESULT_DENIED;
-  }
-  rates_.set_interval(*row, interval, now);
-  return messages::MAV_RESULT_ACCEPTED;
-}
-
-std::uint8_t Autopilot::reboot(const CommandLong& command, const Copter& copter) {
-  if (command.param1 != 1) return messages::MAV_RESULT_UNSUPPORTED;
-  if (copter.state().armed) return messages::MAV_RESULT_FAILED;
+  if (call.airframe.state().armed) return not_now();
   wants_reboot_ = true;
   return messages::MAV_RESULT_ACCEPTED;
 }
 
-void Autopilot::acknowledge(std::uint16_t command, std::uint8_t result, Requester requester, Outbox<Frame>& out) {
-  sender_.send(messages::CommandAck{.command = command,
-                                    .result = result,
-                                    .target_system = requester.system.value,
-                                    .target_component = requester.component.value},
-               out);
+void Autopilot::acknowledge(std::uint16_t command, std::uint8_t result, Requester requester, Speaker& speaker) {
+  constexpr std::uint8_t unknown_progress = 255;
+  speaker.send(
+      messages::CommandAck{.command = command,
+                           .result = result,
+                           .progress = result == messages::MAV_RESULT_IN_PROGRESS ? unknown_progress : std::uint8_t{},
+                           .target_system = requester.system.value,
+                           .target_component = requester.component.value});
 }
 
 }  // namespace ponte::sim

@@ -131,12 +131,28 @@ TEST_F(CommandsTest, ChangesModeByCommand) {
   for (const auto mode : {FlightMode::guided, FlightMode::automatic, FlightMode::loiter, FlightMode::rtl,
                           FlightMode::land, FlightMode::stabilize}) {
     EXPECT_EQ(station_.set_mode(mode), accepted);
-    EXPECT_EQ(this->mode(), static_cast<unsigned>(mode));
+    EXPECT_EQ(this->mode(), flight_mode_info({}, mode).custom_mode);
   }
   EXPECT_EQ(station_.command(messages::MAV_CMD_NAV_RETURN_TO_LAUNCH), accepted);
   EXPECT_EQ(mode(), 6U);
   EXPECT_EQ(station_.command(messages::MAV_CMD_NAV_LAND), accepted);
   EXPECT_EQ(mode(), 9U);
+}
+
+TEST_F(CommandsTest, TellsAnotherModeWithoutDelay) {
+  station_.forget();
+  EXPECT_EQ(station_.set_mode(FlightMode::guided), accepted);
+  EXPECT_EQ(station_.set_mode(FlightMode::guided), accepted);
+  ASSERT_EQ(station_.all<messages::Heartbeat>().size(), 1U);
+  EXPECT_EQ(station_.last<messages::Heartbeat>().custom_mode, 4U);
+}
+
+TEST_F(CommandsTest, PausesNoMissionThatItDoesNotFly) {
+  EXPECT_EQ(station_.command(messages::MAV_CMD_DO_PAUSE_CONTINUE, {0}), failed);
+  EXPECT_EQ(station_.texts().back(), "Failed to pause");
+  EXPECT_EQ(station_.command(messages::MAV_CMD_DO_PAUSE_CONTINUE, {1}), failed);
+  EXPECT_EQ(station_.texts().back(), "Failed to resume");
+  EXPECT_EQ(station_.command(messages::MAV_CMD_DO_PAUSE_CONTINUE, {2}), denied);
 }
 
 TEST_F(CommandsTest, ChangesModeByTheOldMessage) {
@@ -203,7 +219,7 @@ TEST_F(CommandsTest, HasNoHomeBeforeItsPosition) {
 TEST_F(CommandsTest, RefusesIntervalsThatItCannotKeep) {
   constexpr auto attitude = messages::Attitude::info.id;
   EXPECT_EQ(station_.set_interval(attitude, 1), denied);
-  EXPECT_THAT(station_.texts(), Contains("Requested rate for message ID 30 too fast."));
+  EXPECT_THAT(station_.texts(), Contains("Requested rate for message ID 30 too fast. Increas"));
   EXPECT_EQ(station_.set_interval(attitude, nan), denied);
   EXPECT_EQ(station_.set_interval(mavlink::MessageId{300}, 1e6F), denied);
   station_.wait(seconds{5});

@@ -54,19 +54,19 @@ std::optional<FlightMode> flight_mode_of_nav_mode(std::uint8_t nav_mode) {
 
 }  // namespace
 
-void Autopilot::on_frame_v09(const mavlink::FrameView& frame, Copter& copter, Outbox<Frame>& out) {
+void Autopilot::on_frame_v09(const mavlink::FrameView& frame, Call& call) {
   const auto change_mode = [&](std::uint8_t target, std::optional<FlightMode> mode) {
     if (!is_for_us(target)) return;
     if (!mode)
-      say(messages::MAV_SEVERITY_WARNING, "No such mode", out);
+      call.speaker.say(messages::MAV_SEVERITY_WARNING, "No such mode");
     else
-      (void)enter(*mode, copter, out);  // which says so if it fails; nothing else acknowledges it in this version
+      (void)enter(*mode, call);  // which says so if it fails; nothing else acknowledges it in this version
   };
   if (mavlink::carries<v09::Action>(frame)) {
     const auto wish = mavlink::decode<v09::Action>(frame);
     if (!is_for_us(wish.target)) return;
-    const bool done = act(wish.action, copter, out) == messages::MAV_RESULT_ACCEPTED;
-    sender_.send(v09::ActionAck{.action = wish.action, .result = static_cast<std::uint8_t>(done ? 1 : 0)}, out);
+    const bool done = act(wish.action, call) == messages::MAV_RESULT_ACCEPTED;
+    call.speaker.send(v09::ActionAck{.action = wish.action, .result = static_cast<std::uint8_t>(done ? 1 : 0)});
   } else if (mavlink::carries<v09::SetMode>(frame)) {
     const auto wish = mavlink::decode<v09::SetMode>(frame);
     change_mode(wish.target, flight_mode_of_mode(wish.mode));
@@ -79,23 +79,20 @@ void Autopilot::on_frame_v09(const mavlink::FrameView& frame, Copter& copter, Ou
 }
 
 /// A MAV_RESULT.
-std::uint8_t Autopilot::act(std::uint8_t action, Copter& copter, Outbox<Frame>& out) {
-  if (const auto mode = flight_mode_of_action(action)) return enter(*mode, copter, out);
-  const auto command = [](unsigned number, float param1, float param7 = 0) {
-    return CommandLong{.command = static_cast<std::uint16_t>(number), .param1 = param1, .param7 = param7};
+std::uint8_t Autopilot::act(std::uint8_t action, Call& call) {
+  if (const auto mode = flight_mode_of_action(action)) return enter(*mode, call);
+  const auto command = [](unsigned number, float param1, float height = 0) {
+    return Command{.number = static_cast<std::uint16_t>(number), .param1 = param1, .z = height};
   };
   switch (action) {
-    case v09::MAV_ACTION_MOTORS_START:
-      return arm_or_disarm(command(messages::MAV_CMD_COMPONENT_ARM_DISARM, 1), copter, out);
-    case v09::MAV_ACTION_MOTORS_STOP:
-      return arm_or_disarm(command(messages::MAV_CMD_COMPONENT_ARM_DISARM, 0), copter, out);
+    case v09::MAV_ACTION_MOTORS_START: return arm_or_disarm(command(messages::MAV_CMD_COMPONENT_ARM_DISARM, 1), call);
+    case v09::MAV_ACTION_MOTORS_STOP: return arm_or_disarm(command(messages::MAV_CMD_COMPONENT_ARM_DISARM, 0), call);
     case v09::MAV_ACTION_LAUNCH:
     case v09::MAV_ACTION_TAKEOFF: {
       const auto height = static_cast<float>(config_.square.height.value);
-      return take_off(command(messages::MAV_CMD_NAV_TAKEOFF, 0, height), copter);
+      return take_off(command(messages::MAV_CMD_NAV_TAKEOFF, 0, height), call);
     }
-    case v09::MAV_ACTION_REBOOT:
-      return reboot(command(messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1), copter);
+    case v09::MAV_ACTION_REBOOT: return reboot(command(messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1), call);
     default: return messages::MAV_RESULT_UNSUPPORTED;
   }
 }

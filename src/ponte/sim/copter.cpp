@@ -8,19 +8,18 @@
 namespace ponte::sim {
 namespace {
 
-constexpr double dt = std::chrono::duration<double>{Copter::step_length}.count();
+constexpr double dt = std::chrono::duration<double>{Airframe::step_length}.count();
 
 // How the flight controller answers to errors, and how fast the airframe follows it.
-constexpr double velocity_per_offset = 0.7;        // 1/s
 constexpr double acceleration_per_velocity = 3.0;  // 1/s
-constexpr double acceleration_lag = 0.12;          // s
+constexpr double thrust_lag = 0.12;                // s
 constexpr double jerk_limit = 8.0;                 // m/s^3
 constexpr double turn_rate_per_heading = 1.5;      // 1/s
 constexpr double turn_acceleration = 2.0;          // rad/s^2
-constexpr double deceleration_share = 0.6;         // of the acceleration, so that a stop never asks for all of it
-constexpr double nearly_stopped = 0.3;             // m/s
+constexpr double turns_above = 0.3;                // m/s: slower, the heading stays
 constexpr double turns_beyond = 2.0;               // m to the target: nearer, the heading stays
-constexpr double final_descent_height = 10.0;      // m
+constexpr double hardest_landing = 3.0;            // m/s
+constexpr double slowest = 0.1;                    // m/s: any rate and any speed
 
 constexpr double drag = 0.25;  // 1/s: deceleration in m/s^2 per m/s of airspeed
 constexpr double hover_throttle = 0.39;
@@ -28,28 +27,16 @@ constexpr double idle_throttle = 0.1;
 constexpr double electronics_amperes = 0.4;
 constexpr double idle_amperes = 1.5;
 constexpr double hover_amperes = 18.0;
+constexpr double amperes_per_climb_rate = 1.7;  // A per m/s: two kilograms, at 11.7 V
 
-/// The speed at which a stop at the end of this distance is still gentle: in proportion to the distance when near, by
-/// constant deceleration when far.
-double approach_speed(double distance, double limit, double deceleration) {
-  const double near = deceleration / (velocity_per_offset * velocity_per_offset);
-  const double speed =
-      distance < near ? velocity_per_offset * distance : std::sqrt(2 * deceleration * (distance - near / 2));
-  return std::min(speed, limit);
-}
-
-/// The distance whose `approach_speed` is this speed.
-double stopping_distance(double speed, double deceleration) {
-  const double near = deceleration / (velocity_per_offset * velocity_per_offset);
-  if (speed < velocity_per_offset * near) return speed / velocity_per_offset;
-  return speed * speed / (2 * deceleration) + near / 2;
+/// Its part over ground no longer than this.
+NorthEastDown limited(const NorthEastDown& vector, double most) {
+  const double size = horizontal(vector);
+  const double scale = size > most ? most / size : 1;
+  return {vector.north * scale, vector.east * scale, vector.down};
 }
 
 }  // namespace
-
-BodyVector specific_force(const CopterState& state) {
-  return to_body(state.attitude, state.acceleration - NorthEastDown{0, 0, standard_gravity});
-}
 
 Copter::Copter(const CopterConfig& config, const Position& place, Radians heading)
     : config_{config}, ground_{place.altitude_msl.value}, battery_{config.battery}, target_{place} {
@@ -66,22 +53,53 @@ void Copter::arm() {
 }
 
 void Copter::disarm() {
-  PONTE_ASSERT(!state_.airborne);
   state_.armed = false;
   goal_ = Goal::rest;
 }
 
-void Copter::climb_to(Metres altitude_msl) {
+void Copter::handle(const Handling& handling) {
+  const auto within = [](MetresPerSecond wanted, MetresPerSecond able) {
+    return MetresPerSecond{std::clamp(wanted.value, slowest, able.value)};
+  };
+  handling_ = handling;
+  handling_.most_speed = within(handling.most_speed, config_.speed);
+  handling_.climb_rate = within(handling.climb_rate, config_.climb_rate);
+  handling_.take_off_rate = within(handling.take_off_rate, config_.climb_rate);
+  handling_.descent_rate = within(handling.descent_rate, config_.descent_rate);
+  handling_.landing_rate = within(handling.landing_rate, config_.descent_rate);
+}
+
+void Copter::begin(Goal goal) {
   PONTE_ASSERT(state_.armed);
+  goal_ = goal;
+  facing_ = {};
+  takes_off_ = false;
+  sinks_ = false;
+}
+
+void Copter::climb_to(Metres altitude_msl) {
+  begin(Goal::reach);
+  takes_off_ = !state_.airborne;
   stop_at(altitude_msl);
-  goal_ = Goal::reach;
 }
 
 void Copter::fly_to(const Position& target, MetresPerSecond speed) {
-  PONTE_ASSERT(state_.armed);
-  goal_ = Goal::reach;
+  begin(Goal::reach);
   target_ = target;
-  speed_limit_ = speed.value;
+  speed_limit_ = std::max(speed.value, slowest);
+}
+
+void Copter::circle(const Position& centre, Metres radius, MetresPerSecond speed) {
+  begin(Goal::circle);
+  target_ = centre;
+  radius_ = radius.value;
+  speed_limit_ = std::max(speed.value, slowest);
+}
+
+void Copter::move(const NorthEastDown& velocity) {
+  begin(Goal::move);
+  velocity_wanted_ = velocity;
+  target_ = known_position();
 }
 
 void Copter::hold() {
@@ -89,33 +107,47 @@ void Copter::hold() {
     goal_ = Goal::rest;
     return;
   }
-  stop_at(state_.position.altitude_msl);
-  goal_ = Goal::reach;
+  begin(Goal::reach);
+  stop_at(known_position().altitude_msl);
 }
 
-void Copter::land() {
+void Copter::drift() {
+  if (!state_.airborne) {
+    goal_ = Goal::rest;
+    return;
+  }
+  begin(Goal::drift);
+  target_ = known_position();
+}
+
+void Copter::land(const std::optional<Position>& place) {
   if (!state_.airborne) return;
-  stop_at(state_.position.altitude_msl);
-  goal_ = Goal::land;
+  begin(Goal::land);
+  stop_at(known_position().altitude_msl);
+  if (!place) return;
+  const auto altitude = target_.altitude_msl;
+  target_ = *place;
+  target_.altitude_msl = altitude;
 }
 
-/// The target becomes the place where it can stand still soonest without haste.
-void Copter::stop_at(Metres altitude_msl) {
-  const double speed = horizontal(state_.velocity);
-  const double distance = stopping_distance(speed, config_.acceleration.value * deceleration_share);
-  const double seconds = speed > 0 ? distance / speed : 0;
-  target_ = displaced(state_.position, {state_.velocity.north * seconds, state_.velocity.east * seconds, 0});
-  target_.altitude_msl = altitude_msl;
-  speed_limit_ = std::max(speed, 1.0);
+void Copter::sink() {
+  if (!state_.airborne) return;
+  begin(Goal::sink);
+  target_ = known_position();
 }
 
-void Copter::step() {
+void Copter::face(const Facing& facing) { facing_ = facing; }
+
+void Copter::step(const Conditions& conditions) {
   const auto before = state_.attitude;
-  const auto offset = offset_between(state_.position, target_);
-  const auto wanted = goal_ == Goal::rest ? NorthEastDown{} : wanted_velocity(offset);
-  if (state_.airborne || wanted.down < 0) {
+  const bool motors_run = conditions.motors_run && state_.armed;
+  state_.wind = conditions.wind;
+  position_error_ = conditions.position_error;
+  const auto offset = offset_between(known_position(), target_);
+  const auto wanted = demand(offset);
+  if (state_.airborne || (wanted.velocity.down < 0 && motors_run)) {
     state_.airborne = true;
-    accelerate(wanted);
+    accelerate(wanted, motors_run);
     turn(offset);
     tilt(before);
     if (state_.position.altitude_msl.value <= ground_ && state_.velocity.down >= 0) touch_down();
@@ -123,78 +155,88 @@ void Copter::step() {
   use_energy();
 }
 
-NorthEastDown Copter::wanted_velocity(const NorthEastDown& offset) const {
-  const double distance = horizontal(offset);
-  const double speed = approach_speed(distance, speed_limit_, config_.acceleration.value * deceleration_share);
-  const double share = distance > 0 ? speed / distance : 0;
-  return {offset.north * share, offset.east * share, wanted_sink_rate(offset.down)};
+/// No faster than its handling has it.
+NorthEastDown Copter::allowed(const NorthEastDown& velocity) const {
+  auto result = limited(velocity, handling_.most_speed.value);
+  result.down = std::clamp(velocity.down, -handling_.climb_rate.value, handling_.descent_rate.value);
+  return result;
 }
 
-double Copter::wanted_sink_rate(double offset_down) const {
-  const double deceleration = config_.vertical_acceleration.value * deceleration_share;
-  if (goal_ == Goal::land) {
-    if (horizontal(state_.velocity) > nearly_stopped) return 0;
-    const double above = state_.position.altitude_msl.value - ground_ - final_descent_height;
-    const double rate = approach_speed(std::max(above, 0.0), config_.descent_rate.value, deceleration);
-    return std::max(rate, config_.landing_rate.value);
+/// One step of velocity and position. The thrust follows what is wanted with a lag, since the body has to tilt first;
+/// it leans against the air only as far as the body may.
+void Copter::accelerate(const Demand& demand, bool motors_run) {
+  const auto resistance = (state_.velocity - state_.wind) * drag;
+  NorthEastDown acceleration = resistance * -1;
+  if (motors_run) {
+    auto wanted = demand.acceleration + (demand.velocity - state_.velocity) * acceleration_per_velocity;
+    wanted = limited(wanted, config_.acceleration.value);
+    const double vertical = config_.vertical_acceleration.value;
+    wanted.down = std::clamp(wanted.down, -vertical, vertical);
+    wanted = wanted + resistance;
+    wanted = holds_place() ? limited(wanted, standard_gravity * std::tan(config_.lean.value))
+                           : NorthEastDown{0, 0, wanted.down};
+    const auto change = (wanted - thrust_) * (dt / thrust_lag);
+    const double most = jerk_limit * dt;
+    thrust_.north += std::clamp(change.north, -most, most);
+    thrust_.east += std::clamp(change.east, -most, most);
+    thrust_.down += std::clamp(change.down, -most, most);
+    acceleration = acceleration + thrust_;
+  } else {
+    thrust_ = {0, 0, standard_gravity};
+    acceleration.down += standard_gravity;
   }
-  if (offset_down < 0) return -approach_speed(-offset_down, config_.climb_rate.value, deceleration);
-  return approach_speed(offset_down, config_.descent_rate.value, deceleration);
-}
-
-/// One step of velocity and position. The acceleration follows what is wanted with a lag, since the body has to tilt
-/// first.
-void Copter::accelerate(const NorthEastDown& wanted) {
-  auto demand = (wanted - state_.velocity) * acceleration_per_velocity;
-  const double size = horizontal(demand);
-  const double scale = size > config_.acceleration.value ? config_.acceleration.value / size : 1;
-  const double vertical = config_.vertical_acceleration.value;
-  demand = {demand.north * scale, demand.east * scale, std::clamp(demand.down, -vertical, vertical)};
-
-  auto& acceleration = state_.acceleration;
-  const auto change = (demand - acceleration) * (dt / acceleration_lag);
-  const double most = jerk_limit * dt;
-  acceleration.north += std::clamp(change.north, -most, most);
-  acceleration.east += std::clamp(change.east, -most, most);
-  acceleration.down += std::clamp(change.down, -most, most);
-
   const auto velocity = state_.velocity + acceleration * dt;
   state_.position = displaced(state_.position, (state_.velocity + velocity) * (dt / 2));
   state_.velocity = velocity;
+  state_.acceleration = acceleration;
 }
 
-/// One step of the heading, towards the target.
+/// One step of the heading: towards the target, unless it was told otherwise.
 void Copter::turn(const NorthEastDown& offset) {
-  if (horizontal(offset) > turns_beyond) heading_wanted_ = std::atan2(offset.east, offset.north);
   const double heading = state_.attitude.heading.value;
   const double limit = config_.turn_rate.value;
-  const double wanted = std::clamp(turn_rate_per_heading * wrapped(heading_wanted_ - heading), -limit, limit);
+  if (facing_.heading) {
+    heading_wanted_ = facing_.heading->value;
+  } else if (facing_.turn_rate) {
+    heading_wanted_ = heading;
+  } else if (goal_ == Goal::move && horizontal(velocity_wanted_) > turns_above) {
+    heading_wanted_ = std::atan2(velocity_wanted_.east, velocity_wanted_.north);
+  } else if (holds_place() && horizontal(offset) > turns_beyond) {
+    heading_wanted_ = std::atan2(offset.east, offset.north);
+  }
+  const double rate = !facing_.heading && facing_.turn_rate
+                          ? facing_.turn_rate->value
+                          : turn_rate_per_heading * wrapped(heading_wanted_ - heading);
+  const double wanted = std::clamp(rate, -limit, limit);
   turn_rate_ += std::clamp(wanted - turn_rate_, -turn_acceleration * dt, turn_acceleration * dt);
   state_.attitude.heading = Radians{wrapped(heading + turn_rate_ * dt)};
 }
 
-/// The rotors have to push against gravity and drag, and give the acceleration.
+/// The rotors push against the weight, beside their thrust.
 void Copter::tilt(const Attitude& before) {
-  const auto thrust = state_.acceleration + state_.velocity * drag - NorthEastDown{0, 0, standard_gravity};
-  state_.attitude = attitude_for_thrust(thrust, state_.attitude.heading);
-  state_.rates = body_rates(before, state_.attitude, dt);
+  const auto thrust = thrust_ - NorthEastDown{0, 0, standard_gravity};
   const double size = std::sqrt(thrust.north * thrust.north + thrust.east * thrust.east + thrust.down * thrust.down);
+  if (size > 0) state_.attitude = attitude_for_thrust(thrust, state_.attitude.heading);
+  state_.rates = body_rates(before, state_.attitude, dt);
   state_.throttle = std::min(1.0, hover_throttle * size / standard_gravity);
 }
 
 void Copter::touch_down() {
+  state_.crashed = state_.velocity.down > hardest_landing;
   state_.airborne = false;
   state_.position.altitude_msl = Metres{ground_};
   state_.velocity = {};
   state_.acceleration = {};
   state_.attitude = {Radians{}, Radians{}, state_.attitude.heading};
   state_.rates = {};
+  thrust_ = {};
   heading_wanted_ = state_.attitude.heading.value;
   turn_rate_ = 0;
   goal_ = Goal::rest;
   target_ = state_.position;
 }
 
+/// Hovering by the thrust's power law, and climbing by the weight that is lifted.
 void Copter::use_energy() {
   double amperes = electronics_amperes;
   if (!state_.airborne) {
@@ -202,7 +244,8 @@ void Copter::use_energy() {
     if (state_.armed) amperes += idle_amperes;
   } else {
     const double load = state_.throttle / hover_throttle;
-    amperes += hover_amperes * load * std::sqrt(load);
+    const double lifting = -state_.velocity.down * amperes_per_climb_rate;
+    amperes += std::max(0.0, hover_amperes * load * std::sqrt(load) + lifting);
   }
   battery_.drain(amperes, dt);
   state_.battery = battery_.state();

@@ -1,88 +1,85 @@
 #pragma once
 
-#include "ponte/core/quantity.hpp"
-#include "ponte/core/time.hpp"
-#include "ponte/sim/attitude.hpp"
-#include "ponte/sim/battery.hpp"
-#include "ponte/sim/geodesy.hpp"
+#include "ponte/sim/airframe.hpp"
 
 namespace ponte::sim {
 
 /// What a copter is able to do.
 struct CopterConfig {
-  MetresPerSecond climb_rate{2.5};
-  MetresPerSecond descent_rate{1.5};
-  MetresPerSecond landing_rate{0.5};  ///< over the last ten metres
+  MetresPerSecond speed{30};
+  MetresPerSecond climb_rate{8};
+  MetresPerSecond descent_rate{4};
   MetresPerSecondSquared acceleration{2.5};
   MetresPerSecondSquared vertical_acceleration{1.5};
   RadiansPerSecond turn_rate{1.0};
+  Radians lean{radians_from_degrees(30)};  ///< at most: what the wind demands beyond it is not resisted
   BatteryConfig battery{};
 };
 
-/// Everything that is true of a copter at one moment.
-struct CopterState {
-  Position position{};
-  NorthEastDown velocity{};      ///< m/s over ground
-  NorthEastDown acceleration{};  ///< m/s^2, of the velocity: without gravity
-  Attitude attitude{};
-  BodyVector rates{};  ///< rad/s
-  bool armed{};
-  bool airborne{};
-  double throttle{};  ///< 0 to 1
-  BatteryState battery{};
-  friend bool operator==(const CopterState&, const CopterState&) = default;
-};
-
-/// What an accelerometer feels (m/s^2): acceleration and the push against gravity, along the body's axes.
-[[nodiscard]] BodyVector specific_force(const CopterState& state);
-
-/// A point mass under rotors that tilt with the body, in still air over flat ground. It goes where it is told, within
-/// its limits; who tells it and why is not its business.
-class Copter {
+/// A point mass under rotors that tilt with the body, held back by the air that streams past it.
+class Copter final : public Airframe {
  public:
-  static constexpr Duration step_length = std::chrono::milliseconds{20};
-
   /// It stands disarmed on the ground, which has this altitude everywhere.
   Copter(const CopterConfig& config, const Position& place, Radians heading);
 
-  void arm();
-  void disarm();  ///< on the ground only
+  void arm() override;
+  void disarm() override;
+  void handle(const Handling& handling) override;
 
-  // Armed only; each of them replaces the one before.
-  /// Stops over ground and goes to this altitude. From the ground, this is to take off.
-  void climb_to(Metres altitude_msl);
-  void fly_to(const Position& target, MetresPerSecond speed);
-  /// Stops here.
-  void hold();
-  /// Stops over ground, then sinks until it stands.
-  void land();
+  void climb_to(Metres altitude_msl) override;
+  void fly_to(const Position& target, MetresPerSecond speed) override;
+  void circle(const Position& centre, Metres radius, MetresPerSecond speed) override;
+  void move(const NorthEastDown& velocity) override;
+  void hold() override;
+  void drift() override;
+  void land(const std::optional<Position>& place) override;
+  void sink() override;
+  void face(const Facing& facing) override;
+  void lose_charge(double all_but) override { battery_.lose_all_but(all_but); }
 
-  /// Lets `step_length` go by.
-  void step();
+  void step(const Conditions& conditions) override;
 
-  [[nodiscard]] const CopterState& state() const { return state_; }
-  /// Where it is going. While it lands the altitude means nothing.
-  [[nodiscard]] const Position& target() const { return target_; }
+  [[nodiscard]] const AirframeState& state() const override { return state_; }
+  [[nodiscard]] Position known_position() const override { return displaced(state_.position, position_error_); }
+  [[nodiscard]] const Position& target() const override { return target_; }
 
  private:
-  enum class Goal : unsigned char { rest, reach, land };
+  enum class Goal : unsigned char { rest, reach, circle, move, drift, land, sink };
+  /// What the flight controller asks of the rotors, over ground.
+  struct Demand {
+    NorthEastDown velocity{};      // m/s
+    NorthEastDown acceleration{};  // m/s^2, beside that which corrects the velocity
+  };
 
+  void begin(Goal goal);
   void stop_at(Metres altitude_msl);
-  [[nodiscard]] NorthEastDown wanted_velocity(const NorthEastDown& offset) const;
-  [[nodiscard]] double wanted_sink_rate(double offset_down) const;
-  void accelerate(const NorthEastDown& wanted);
+  [[nodiscard]] bool holds_place() const { return goal_ != Goal::drift && goal_ != Goal::sink; }
+  [[nodiscard]] Demand demand(const NorthEastDown& offset);
+  [[nodiscard]] NorthEastDown allowed(const NorthEastDown& velocity) const;
+  [[nodiscard]] Demand on_circle(const NorthEastDown& offset) const;
+  [[nodiscard]] double wanted_sink_rate(const NorthEastDown& offset);
+  [[nodiscard]] double reaching_sink_rate(double offset_down) const;
+  void accelerate(const Demand& demand, bool motors_run);
   void turn(const NorthEastDown& offset);
   void tilt(const Attitude& before);
   void touch_down();
   void use_energy();
 
   CopterConfig config_;
+  Handling handling_{};
   double ground_;  // m above mean sea level
   Battery battery_;
-  CopterState state_;
+  AirframeState state_;
+  NorthEastDown position_error_{};
+  NorthEastDown thrust_{};  // m/s^2, beside that which carries the weight
   Goal goal_{Goal::rest};
   Position target_;
+  NorthEastDown velocity_wanted_{};
+  double radius_{};  // m, clockwise if positive
   double speed_limit_{};
+  bool takes_off_{};
+  bool sinks_{};  // it stands above the place where it lands
+  Facing facing_{};
   double heading_wanted_{};
   double turn_rate_{};
 };

@@ -1,169 +1,281 @@
 #include "ponte/sim/flight.hpp"
 
+#include "ponte/mavlink/autopilots/enums.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace ponte::sim {
+
+namespace messages = mavlink::autopilots;
+
 namespace {
 
 using enum FlightMode;
 
-struct ModeName {
-  FlightMode mode;
-  std::string_view name;
-};
+constexpr Metres highest_take_off{1000};       // above home
+constexpr double arrived_within = 1.0;         // m over ground: a corner of the square
+constexpr double at_altitude_within = 0.3;     // m
+constexpr double plane_altitude_within = 2.0;  // m
 
-constexpr std::array modes{
-    ModeName{stabilize, "STABILIZE"}, ModeName{automatic, "AUTO"}, ModeName{guided, "GUIDED"},
-    ModeName{loiter, "LOITER"},       ModeName{rtl, "RTL"},        ModeName{land, "LAND"},
-};
-
-constexpr Metres highest_take_off{1000};  // above home
-constexpr Metres return_height{15};       // above home, at least
-constexpr MetresPerSecond return_speed{8};
-constexpr double arrived_within = 1.0;      // m over ground
-constexpr double home_within = 0.2;         // m over ground
-constexpr double nearly_still = 0.1;        // m/s
-constexpr double at_altitude_within = 0.3;  // m
-
-constexpr std::uint32_t steps_of(Duration duration) {
-  return static_cast<std::uint32_t>(duration / Copter::step_length);
-}
-constexpr auto square_begins_after = steps_of(std::chrono::seconds{2});
-constexpr auto disarms_landed_after = steps_of(std::chrono::seconds{1});
-constexpr auto disarms_idle_after = steps_of(std::chrono::seconds{10});
-
-bool is_at(const Copter& copter, Metres altitude) {
-  return std::abs(copter.state().position.altitude_msl.value - altitude.value) < at_altitude_within;
+FlightMode first_mode(VehicleKind kind) {
+  if (kind.personality == Personality::px4) return loiter;
+  return kind.type == AirframeType::plane ? manual : stabilize;
 }
 
 }  // namespace
 
-std::optional<FlightMode> flight_mode(std::uint32_t custom_mode) {
-  const auto found = std::find_if(modes.begin(), modes.end(), [=](const ModeName& each) {
-    return custom_mode == std::uint32_t{static_cast<std::uint8_t>(each.mode)};
-  });
-  if (found == modes.end()) return std::nullopt;
-  return found->mode;
-}
+Flight::Flight(VehicleKind kind, const FlightSettings& settings, bool flies_square, const SquareConfig& square)
+    : kind_{kind},
+      settings_{settings},
+      flies_square_{flies_square},
+      square_{square},
+      height_{square.height},
+      mode_{first_mode(kind)} {}
 
-std::string_view name_of(FlightMode mode) {
-  return std::find_if(modes.begin(), modes.end(), [=](const ModeName& each) { return each.mode == mode; })->name;
-}
-
-bool Flight::enter(FlightMode mode, Copter& copter) {
+bool Flight::enter(FlightMode mode, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   if (mode == mode_) return true;
-  if (mode == automatic && copter.state().armed) return false;  // there is no mission to fly
-  mode_ = mode;
-  leg_ = Leg::none;
-  if (!copter.state().airborne) {
-    copter.hold();  // a take-off that has not begun yet
-    return true;
-  }
-  if (mode == guided && flies_square_) {
-    leg_ = Leg::square;
-  } else if (mode == rtl) {
-    leg_ = Leg::rise;
-    return_altitude_ = std::max(copter.state().position.altitude_msl, home_.altitude_msl + return_height);
-    copter.climb_to(return_altitude_);
-  } else if (mode == land) {
-    leg_ = Leg::descend;
-    copter.land();
-  } else {
-    copter.hold();
-  }
+  const auto flight = context(now, airframe, facts);
+  if (!may_enter(mode, flight)) return false;
+  change_mode(mode, flight);
   return true;
 }
 
-void Flight::on_armed(Copter& copter) {
+void Flight::restart(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  begin(context(now, airframe, facts));
+}
+
+bool Flight::may_enter(FlightMode mode, const FlightContext& flight) const {
+  if (!has_mode(kind_, mode)) return false;
+  const bool is_offboard = flight.is_px4() && mode == guided;
+  if (is_offboard && !guided_.is_fresh(flight)) return false;
+  const auto& state = flight.airframe.state();
+  if (!state.armed && !flight.is_px4()) return true;
+  if (mode == automatic && !mission_.has_items()) return false;
+  return !state.armed || has_position_ || !flight_mode_info(kind_, mode).needs_position;
+}
+
+void Flight::change_mode(FlightMode mode, const FlightContext& flight) {
+  mode_ = mode;
+  begin(flight);
+}
+
+/// What a mode does first.
+void Flight::begin(const FlightContext& flight) {
+  auto& airframe = flight.airframe;
+  const auto& state = airframe.state();
   leg_ = Leg::none;
-  idle_steps_ = 0;
+  speed_.reset();
+  mission_may_begin_ = settings_.mode_takes_off;
+  if (!state.armed) return;
+  if (!state.airborne) airframe.hold();  // a take-off that has not begun yet
+  switch (mode_) {
+    case automatic:
+      if (state.airborne || mission_may_begin_) begin_mission(flight);
+      return;
+    case FlightMode::take_off: return climb(settings_.take_off_height, flight);
+    case guided:
+      if (flight.is_px4()) {
+        leg_ = Leg::guided;  // what has come so far is in force
+        return;
+      }
+      guided_.begin();
+      if (!state.airborne) return;
+      leg_ = flies_square_ ? Leg::square : Leg::guided;
+      return airframe.hold();
+    default: break;
+  }
+  if (!state.airborne) return;
+  switch (mode_) {
+    case rtl: leg_ = Leg::home; return return_.begin(flight);
+    case land: leg_ = Leg::land; return land_here(flight);
+    case circle: {
+      const double heading = state.attitude.heading.value;
+      const double radius = settings_.handling.loiter_radius.value;
+      const NorthEastDown ahead{std::cos(heading) * radius, std::sin(heading) * radius, 0};
+      return airframe.circle(displaced(airframe.known_position(), ahead), Metres{radius},
+                             settings_.handling.cruise_speed);
+    }
+    case manual:
+    case stabilize:
+    case altitude_hold: return airframe.drift();
+    default: return airframe.hold();
+  }
+}
+
+void Flight::begin_mission(const FlightContext& flight) {
+  leg_ = Leg::mission;
+  if (flight.is_px4()) flight.facts.push(notice(messages::MAV_SEVERITY_INFO, "Executing Mission\t"));
+  mission_.begin(flight);
+}
+
+void Flight::climb(Metres height, const FlightContext& flight) {
+  leg_ = Leg::take_off;
+  height_ = height;
+  flight.airframe.climb_to(home_.altitude_msl + height);
+}
+
+void Flight::on_armed(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  airframe.handle(settings_.handling);
+  idle_since_ = now;
+  was_airborne_ = false;
+  has_landed_ = false;
   corner_ = 0;
   height_ = square_.height;
-  if (flies_square_) static_cast<void>(enter(guided, copter));
+  if (flies_square_ && !flight.is_px4() && !flight.is_plane()) mode_ = guided;
+  begin(flight);
 }
 
-bool Flight::take_off(Metres height, Copter& copter) {
-  const auto& state = copter.state();
-  if (mode_ != guided || !state.armed || state.airborne) return false;
-  if (height <= Metres{} || height > highest_take_off) return false;
-  height_ = height;
-  leg_ = Leg::take_off;
-  copter.climb_to(home_.altitude_msl + height);
+void Flight::on_disarmed() {
+  leg_ = Leg::none;
+  if (kind_.personality == Personality::ardupilot) mission_.rewind();
+}
+
+bool Flight::take_off(Metres height, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  const auto& state = airframe.state();
+  if (!state.armed || state.airborne || height <= Metres{} || height > highest_take_off) return false;
+  if (!flight.is_px4() && (mode_ != guided || flight.is_plane())) return false;
+  if (flight.is_px4()) mode_ = FlightMode::take_off;
+  climb(height, flight);
   return true;
 }
 
-void Flight::step(Copter& copter) {
-  if (!copter.state().armed) {
+bool Flight::start_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  if (!airframe.state().armed || !mission_.has_items()) return false;
+  if (mode_ != automatic && !may_enter(automatic, flight)) return false;
+  if (mode_ != automatic) change_mode(automatic, flight);
+  if (leg_ != Leg::mission) begin_mission(flight);
+  return true;
+}
+
+bool Flight::set_current_item(std::uint16_t item, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  return mission_.set_current(item, leg_ == Leg::mission, context(now, airframe, facts));
+}
+
+bool Flight::pause_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  return leg_ == Leg::mission && mission_.pause(context(now, airframe, facts));
+}
+
+bool Flight::continue_mission(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  return leg_ == Leg::mission && mission_.go_on(context(now, airframe, facts));
+}
+
+bool Flight::guide(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  const auto& state = airframe.state();
+  if (flight.is_px4() && mode_ != guided) {
+    guided_.remember(target, flight);
+    return true;
+  }
+  if (mode_ != guided || !state.armed || (!state.airborne && !flight.is_px4())) return false;
+  if (leg_ == Leg::take_off) return false;
+  leg_ = Leg::guided;
+  guided_.take(target, speed_.value_or(settings_.handling.cruise_speed), flight);
+  return true;
+}
+
+bool Flight::reposition(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  const auto mode = flight.is_px4() ? loiter : guided;
+  if (!airframe.state().airborne || !airframe.state().armed) return false;
+  if (mode_ != mode && !may_enter(mode, flight)) return false;
+  if (mode_ != mode) change_mode(mode, flight);
+  leg_ = Leg::guided;
+  guided_.take(target, speed_.value_or(settings_.handling.cruise_speed), flight);
+  return true;
+}
+
+void Flight::change_speed(MetresPerSecond speed, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  speed_ = speed;
+  if (leg_ == Leg::mission) mission_.set_speed(speed, flight);
+  if (leg_ == Leg::guided) guided_.set_speed(speed, flight);
+}
+
+void Flight::step(Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  const auto flight = context(now, airframe, facts);
+  const auto& state = airframe.state();
+  airframe.handle(settings_.handling);
+  if (!state.armed) {
     leg_ = Leg::none;
+    was_airborne_ = false;
     return;
   }
-  if (!copter.state().airborne && leg_ != Leg::take_off) {
-    wait_on_ground(copter);
-    return;
-  }
+  if (state.airborne != was_airborne_) on_ground_left_or_reached(flight);
+  if (!state.armed) return;
+  const bool flies_mission = leg_ == Leg::mission && !mission_.is_finished();
+  if (state.airborne || leg_ == Leg::take_off || flies_mission || (leg_ == Leg::guided && flight.is_px4()))
+    fly(flight);
+  else
+    wait_on_ground(flight);
+  give_up_take_off(flight);
+}
+
+void Flight::fly(const FlightContext& flight) {
   switch (leg_) {
-    case Leg::take_off:
-      if (is_at(copter, home_.altitude_msl + height_)) leg_ = flies_square_ ? Leg::square : Leg::none;
+    case Leg::take_off: {
+      const double above = flight.offset_to(home_).down - height_.value;
+      const bool is_there = flight.is_plane() ? above > -plane_altitude_within : std::abs(above) < at_altitude_within;
+      if (is_there) on_taken_off(flight);
       return;
-    case Leg::square: fly_square(copter); return;
-    case Leg::rise: rise(copter); return;
-    case Leg::cross: cross(copter); return;
-    case Leg::none:
-    case Leg::descend: return;
+    }
+    case Leg::square: return fly_square(flight);
+    case Leg::guided:
+      guided_.step(flight);
+      if (flight.is_px4() && mode_ == guided && !guided_.is_fresh(flight))
+        change_mode(may_enter(settings_.offboard_lost, flight) ? settings_.offboard_lost : land, flight);
+      return;
+    case Leg::mission:
+      mission_.step(flight);
+      if (mission_.wants_return()) change_mode(rtl, flight);
+      return;
+    case Leg::home: return return_.step(flight);
+    case Leg::land:
+      if (lands_blindly_ == has_position_) land_here(flight);
+      return;
+    case Leg::none: return;
   }
 }
 
-void Flight::wait_on_ground(Copter& copter) {
-  if (leg_ != Leg::none) {  // it has just landed
-    leg_ = Leg::none;
-    idle_steps_ = 0;
-  }
-  ++idle_steps_;
-  if (mode_ == guided && flies_square_ && idle_steps_ >= square_begins_after) {
-    static_cast<void>(take_off(height_, copter));
-    return;
-  }
-  const bool has_landed = mode_ == land || mode_ == rtl;
-  if (idle_steps_ >= (has_landed ? disarms_landed_after : disarms_idle_after)) copter.disarm();
+void Flight::land_here(const FlightContext& flight) {
+  lands_blindly_ = !has_position_;
+  if (has_position_)
+    flight.airframe.land(std::nullopt);
+  else
+    flight.airframe.sink();
 }
 
-void Flight::fly_square(Copter& copter) {
+void Flight::on_taken_off(const FlightContext& flight) {
+  if (flight.is_px4()) change_mode(loiter, flight);
+  leg_ = flies_square_ && mode_ == guided ? Leg::square : Leg::guided;
+  flight.airframe.climb_to(home_.altitude_msl + height_);
+}
+
+void Flight::fly_square(const FlightContext& flight) {
   constexpr std::array<NorthEastDown, 4> corners{{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}}};
   auto corner = displaced(home_, corners[corner_] * square_.side.value);
   corner.altitude_msl = home_.altitude_msl + height_;
-  copter.fly_to(corner, square_.speed);
-  if (horizontal(offset_between(copter.state().position, corner)) < arrived_within)
+  flight.airframe.fly_to(corner, square_.speed);
+  if (horizontal(flight.offset_to(corner)) < arrived_within)
     corner_ = static_cast<std::uint8_t>((corner_ + 1) % corners.size());
 }
 
-void Flight::rise(Copter& copter) {
-  if (!is_at(copter, return_altitude_)) return;
-  leg_ = Leg::cross;
-  auto above_home = home_;
-  above_home.altitude_msl = return_altitude_;
-  copter.fly_to(above_home, return_speed);
-}
-
-void Flight::cross(Copter& copter) {
-  const auto& state = copter.state();
-  if (horizontal(offset_between(state.position, home_)) > home_within || horizontal(state.velocity) > nearly_still)
-    return;
-  leg_ = Leg::descend;
-  copter.land();
-}
-
-LandedState Flight::landed_state(const CopterState& state) const {
+LandedState Flight::landed_state(const AirframeState& state) const {
   if (!state.airborne) return LandedState::on_ground;
-  if (leg_ == Leg::take_off) return LandedState::taking_off;
-  if (leg_ == Leg::descend) return LandedState::landing;
-  return LandedState::in_air;
+  if (leg_ == Leg::take_off || (leg_ == Leg::mission && mission_.is_taking_off())) return LandedState::taking_off;
+  const bool lands = leg_ == Leg::land || (leg_ == Leg::home && return_.is_landing()) ||
+                     (leg_ == Leg::mission && mission_.is_landing());
+  return lands ? LandedState::landing : LandedState::in_air;
 }
 
-std::optional<Position> Flight::target(const Copter& copter) const {
-  if (!copter.state().airborne || leg_ == Leg::descend || (mode_ != guided && mode_ != rtl)) return std::nullopt;
-  return copter.target();
+std::optional<Position> Flight::target(const Airframe& airframe) const {
+  if (landed_state(airframe.state()) == LandedState::landing || !airframe.state().airborne) return std::nullopt;
+  if (leg_ == Leg::none || leg_ == Leg::land) return std::nullopt;
+  return airframe.target();
 }
 
 }  // namespace ponte::sim

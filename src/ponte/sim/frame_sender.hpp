@@ -25,9 +25,10 @@ class FrameSender {
   FrameSender(mavlink::Version version, mavlink::SystemId system, mavlink::ComponentId component)
       : header_{version, system, component, 0} {}
 
-  /// The message fits the version: none with an id above 255 in MAVLink 1.
+  /// MAVLink 1 cannot carry a message with an id above 255: nothing is sent then.
   template <mavlink::Message M>
   void send(const M& message, Outbox<Frame>& out) {
+    if (header_.version == mavlink::Version::v1 && M::info.id.value > 255) return;
     Frame frame;
     const auto size = mavlink::encode(message, header_, frame.buffer);
     PONTE_ASSERT(size);

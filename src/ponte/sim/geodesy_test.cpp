@@ -1,6 +1,9 @@
 #include "ponte/sim/geodesy.hpp"
 
+#include "ponte/core/random.hpp"
+
 #include <gtest/gtest.h>
+#include <GeographicLib/Geodesic.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -20,6 +23,21 @@ TEST(OffsetBetween, HasTheLengthOfTheGeodesic) {
   EXPECT_NEAR(horizontal(offset_between(at(-30.06898, -51.12179), at(-30.08, -51.15))), 2981.5886, centimetre);
   EXPECT_NEAR(horizontal(offset_between(at(-30.06898, -51.12179), at(-30.04, -51.09))), 4440.5391, centimetre);
   EXPECT_NEAR(horizontal(offset_between(at(-30.06898, -51.12179), at(-30.06898, -51.07))), 4993.5649, centimetre);
+}
+
+TEST(OffsetBetween, AgreesWithGeographicLibOverTenKilometres) {
+  Random random{1};
+  for (int i = 0; i < 2000; ++i) {
+    const double latitude = random.unit() * 130 - 65;
+    const double longitude = random.unit() * 360 - 180;
+    const double bearing = random.unit() * 360;
+    const double distance = random.unit() * 10'000;
+    double to_latitude{};
+    double to_longitude{};
+    GeographicLib::Geodesic::WGS84().Direct(latitude, longitude, bearing, distance, to_latitude, to_longitude);
+    ASSERT_NEAR(horizontal(offset_between(at(latitude, longitude), at(to_latitude, to_longitude))), distance, 0.05)
+        << latitude << ' ' << longitude << ' ' << bearing;
+  }
 }
 
 TEST(OffsetBetween, CrossesTheDateLine) {

@@ -6,22 +6,19 @@
 
 namespace ponte::sim {
 
-MessageRates::MessageRates(std::span<const Stream> streams) : count_{streams.size()} {
-  PONTE_ASSERT(count_ <= capacity);
-  for (std::size_t i = 0; i < count_; ++i) {
-    auto& entry = entries_[i];
-    entry.stream = streams[i];
-    if (entry.stream != Stream::heartbeat) continue;
-    entry.stream_interval = std::chrono::seconds{1};
-    start(entry, entry.stream_interval, Duration{});
-  }
+void MessageRates::add(const Rate& rate) {
+  PONTE_ASSERT(count_ < capacity);
+  auto& entry = entries_[count_++];
+  entry.stream = rate.stream;
+  entry.stream_interval = rate.unasked;
+  start(entry, rate.unasked, Duration{});
 }
 
 void MessageRates::request_stream(Stream stream, std::uint32_t per_second, Duration now) {
   constexpr Duration second = std::chrono::seconds{1};
   const auto interval = per_second == 0 ? Duration{} : std::max(shortest_interval, second / std::int64_t{per_second});
   for (auto& entry : std::span{entries_}.first(count_)) {
-    if (entry.stream == Stream::none || entry.stream == Stream::heartbeat) continue;
+    if (entry.stream == Stream::none) continue;
     if (stream != Stream::all && stream != entry.stream) continue;
     entry.stream_interval = interval;
     start(entry, interval, now);

@@ -20,19 +20,27 @@ enum class Stream : std::uint8_t {
   extra1 = 10,
   extra2 = 11,
   extra3 = 12,
-  none = 255,       ///< no group: each message is asked for by itself
-  heartbeat = 254,  ///< no group, and sent once a second without being asked for
+  none = 255,  ///< no group: each message is asked for by itself
+};
+
+/// How a message is asked for, and how often it comes by itself (0: never).
+struct Rate {
+  Stream stream{Stream::none};
+  Duration unasked{};
 };
 
 /// Which messages are due, of a list whose streams are known. Whatever was asked last for a message holds.
 class MessageRates {
  public:
-  static constexpr std::size_t capacity = 32;
+  static constexpr std::size_t capacity = 40;
   /// Nothing is sent more often, since nothing changes more often.
   static constexpr Duration shortest_interval = std::chrono::milliseconds{20};
 
-  /// `streams`: of each message of the list, at most `capacity` of them.
-  explicit MessageRates(std::span<const Stream> streams);
+  /// Of each row of the list its member `rate`; at most `capacity` of them.
+  template <class Row>
+  explicit MessageRates(std::span<const Row> rows) {
+    for (const auto& each : rows) add(each.rate);
+  }
 
   /// REQUEST_DATA_STREAM: all messages of the stream, this often from now on; 0: no more. Unknown streams are empty.
   void request_stream(Stream stream, std::uint32_t per_second, Duration now);
@@ -42,6 +50,8 @@ class MessageRates {
   /// Back to the interval of its stream.
   void reset_interval(std::size_t message, Duration now);
 
+  /// The interval at which it is sent; 0: not at all.
+  [[nodiscard]] Duration interval(std::size_t message) const { return entries_[message].interval; }
   /// Whether the message is to be sent now; asked once per step for each message.
   [[nodiscard]] bool take_due(std::size_t message, Duration now);
 
@@ -53,9 +63,10 @@ class MessageRates {
     Duration due{};
   };
 
+  void add(const Rate& rate);
   static void start(Entry& entry, Duration interval, Duration now);
 
-  std::size_t count_;
+  std::size_t count_{};
   std::array<Entry, capacity> entries_{};
 };
 

@@ -42,7 +42,7 @@ constexpr double pressure_exponent = 5.25588;
 
 }  // namespace
 
-Readings Sensors::read(const CopterState& truth, std::uint64_t step) const {
+Readings Sensors::read(const AirframeState& truth, std::uint64_t step) const {
   const double roll_error = error(step, attitude_channel, attitude_deviation);
   const double pitch_error = error(step, attitude_channel + 1, attitude_deviation);
   const double heading_error = error(step, attitude_channel + 2, attitude_deviation);
@@ -61,7 +61,7 @@ Readings Sensors::read(const CopterState& truth, std::uint64_t step) const {
   };
 }
 
-SatelliteReading Sensors::read_satellites(const CopterState& truth, std::uint64_t step) const {
+SatelliteReading Sensors::read_satellites(const AirframeState& truth, std::uint64_t step) const {
   return {displaced(truth.position, earth_error(step, satellite_position_channel, satellite_position_deviation)),
           truth.velocity + earth_error(step, satellite_velocity_channel, satellite_velocity_deviation)};
 }

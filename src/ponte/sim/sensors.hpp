@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ponte/core/quantity.hpp"
-#include "ponte/sim/copter.hpp"
+#include "ponte/sim/airframe.hpp"
 
 #include <cstdint>
 
@@ -31,8 +31,8 @@ class Sensors {
   /// `noise` scales all errors.
   Sensors(std::uint64_t seed, double noise) : seed_{seed}, noise_{noise} {}
 
-  [[nodiscard]] Readings read(const CopterState& truth, std::uint64_t step) const;
-  [[nodiscard]] SatelliteReading read_satellites(const CopterState& truth, std::uint64_t step) const;
+  [[nodiscard]] Readings read(const AirframeState& truth, std::uint64_t step) const;
+  [[nodiscard]] SatelliteReading read_satellites(const AirframeState& truth, std::uint64_t step) const;
 
  private:
   [[nodiscard]] double error(std::uint64_t step, std::uint64_t channel, double deviation) const;

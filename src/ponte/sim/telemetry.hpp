@@ -2,11 +2,16 @@
 
 #include "ponte/mavlink/message_info.hpp"
 #include "ponte/sim/battery.hpp"
+#include "ponte/sim/failsafe.hpp"
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/gimbal.hpp"
 #include "ponte/sim/message_rates.hpp"
+#include "ponte/sim/personality.hpp"
 #include "ponte/sim/sensors.hpp"
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -22,13 +27,31 @@ struct SatelliteEpoch {
   SatelliteReading reading{};
 };
 
+/// How far the mission is. `current` counts as this autopilot's items do.
+struct MissionProgress {
+  std::uint16_t current{};
+  std::uint16_t items{};               ///< stored, ArduPilot's home included
+  std::uint8_t state{};                ///< MISSION_STATE
+  bool is_flown{};                     ///< in its mode, armed or not
+  std::array<std::uint32_t, 3> ids{};  ///< of mission, fence and rally points
+};
+
+/// The item of the mission that was done last, and when, since the start of the autopilot.
+struct ReachedItem {
+  std::uint16_t item{};
+  Duration at{};
+};
+
 /// Everything that the autopilot knows at one step; messages are made of this alone.
 struct Snapshot {
   Duration since_boot{};
   std::optional<WallTime> utc{};  ///< nothing before the satellites tell it
   bool is_ready{};                ///< the autopilot has started up
-  bool has_position{};
+  bool has_position{};            ///< it knows where it is, or believes to
+  bool trusts_position{};         ///< it relies on that
+  bool found_position{};          ///< in this step, for the first time
   bool armed{};
+  VehicleKind kind{};
   FlightMode mode{};
   LandedState landed_state{};
   Readings readings{};
@@ -38,24 +61,29 @@ struct Snapshot {
   std::optional<Position> target{};  ///< where it is going
   double throttle{};                 ///< 0 to 1
   BatteryState battery{};
+  ChargeState charge{};
+  bool is_in_trouble{};  ///< a failsafe has acted
+  NorthEastDown wind{};  ///< m/s, where the air goes
   mavlink::SystemId system{};
+  MissionProgress mission{};
+  std::optional<ReachedItem> reached{};
+  GimbalState gimbal{};
 };
 
 /// One message that the autopilot can send by itself or when it is asked for.
 struct TelemetryRow {
   const mavlink::MessageInfo* info;
-  Stream stream;
+  Rate rate;
   /// Sends nothing if there is nothing to tell yet.
   void (*send)(const Snapshot& snapshot, FrameSender& sender, Outbox<Frame>& out);
 };
 
-/// All of this version, in the order in which those of one step are sent.
-[[nodiscard]] std::span<const TelemetryRow> telemetry_rows(mavlink::Version version);
+/// What an autopilot of this personality and version has, in the order in which the messages of one step are sent.
+/// MAVLink 1 carries no message with an id above 255; such a row is there and is not used.
+[[nodiscard]] std::span<const TelemetryRow> telemetry_rows(Personality personality, mavlink::Version version);
+[[nodiscard]] std::span<const TelemetryRow> telemetry_rows_px4();
 [[nodiscard]] std::span<const TelemetryRow> telemetry_rows_v09();
-/// The streams of these rows.
-[[nodiscard]] std::span<const Stream> telemetry_streams(mavlink::Version version);
-[[nodiscard]] std::span<const Stream> telemetry_streams_v09();
-/// The place among the rows of MAVLink 1 and 2 of the message with this id, or nothing.
-[[nodiscard]] std::optional<std::size_t> find_telemetry_row(mavlink::MessageId id);
+/// The place among these rows of the message with this id, or nothing.
+[[nodiscard]] std::optional<std::size_t> find_telemetry_row(std::span<const TelemetryRow> among, mavlink::MessageId id);
 
 }  // namespace ponte::sim

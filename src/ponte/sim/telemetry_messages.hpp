@@ -1,18 +1,35 @@
 #pragma once
 
+#include "ponte/mavlink/autopilots/ahrs.hpp"
+#include "ponte/mavlink/autopilots/altitude.hpp"
 #include "ponte/mavlink/autopilots/attitude.hpp"
+#include "ponte/mavlink/autopilots/attitude_quaternion.hpp"
+#include "ponte/mavlink/autopilots/attitude_target.hpp"
 #include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/battery_status.hpp"
+#include "ponte/mavlink/autopilots/current_mode.hpp"
+#include "ponte/mavlink/autopilots/ekf_status_report.hpp"
+#include "ponte/mavlink/autopilots/estimator_status.hpp"
 #include "ponte/mavlink/autopilots/extended_sys_state.hpp"
+#include "ponte/mavlink/autopilots/gimbal_device_attitude_status.hpp"
+#include "ponte/mavlink/autopilots/gimbal_device_information.hpp"
+#include "ponte/mavlink/autopilots/gimbal_manager_information.hpp"
+#include "ponte/mavlink/autopilots/gimbal_manager_status.hpp"
 #include "ponte/mavlink/autopilots/global_position_int.hpp"
 #include "ponte/mavlink/autopilots/gps_global_origin.hpp"
 #include "ponte/mavlink/autopilots/gps_raw_int.hpp"
 #include "ponte/mavlink/autopilots/heartbeat.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
 #include "ponte/mavlink/autopilots/local_position_ned.hpp"
+#include "ponte/mavlink/autopilots/meminfo.hpp"
 #include "ponte/mavlink/autopilots/mission_current.hpp"
+#include "ponte/mavlink/autopilots/mission_item_reached.hpp"
+#include "ponte/mavlink/autopilots/mount_orientation.hpp"
 #include "ponte/mavlink/autopilots/nav_controller_output.hpp"
 #include "ponte/mavlink/autopilots/position_target_global_int.hpp"
+#include "ponte/mavlink/autopilots/position_target_local_ned.hpp"
+#include "ponte/mavlink/autopilots/power_status.hpp"
+#include "ponte/mavlink/autopilots/protocol_version.hpp"
 #include "ponte/mavlink/autopilots/raw_imu.hpp"
 #include "ponte/mavlink/autopilots/rc_channels.hpp"
 #include "ponte/mavlink/autopilots/scaled_imu.hpp"
@@ -21,6 +38,7 @@
 #include "ponte/mavlink/autopilots/sys_status.hpp"
 #include "ponte/mavlink/autopilots/system_time.hpp"
 #include "ponte/mavlink/autopilots/vfr_hud.hpp"
+#include "ponte/mavlink/autopilots/vibration.hpp"
 #include "ponte/mavlink/autopilots/wind.hpp"
 #include "ponte/sim/telemetry.hpp"
 
@@ -37,6 +55,7 @@ namespace messages = mavlink::autopilots;
 
 // How it moves and what it feels.
 [[nodiscard]] messages::Attitude attitude_message(const Snapshot& snapshot);
+[[nodiscard]] messages::AttitudeQuaternion attitude_quaternion(const Snapshot& snapshot);
 [[nodiscard]] messages::GlobalPositionInt global_position(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::LocalPositionNed> local_position(const Snapshot& snapshot);
 [[nodiscard]] messages::VfrHud vfr_hud(const Snapshot& snapshot);
@@ -54,12 +73,40 @@ namespace messages = mavlink::autopilots;
 [[nodiscard]] messages::NavControllerOutput nav_controller_output(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::PositionTargetGlobalInt> position_target(const Snapshot& snapshot);
 [[nodiscard]] messages::MissionCurrent mission_current(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::MissionItemReached> mission_item_reached(const Snapshot& snapshot);
 [[nodiscard]] messages::ServoOutputRaw servo_output(const Snapshot& snapshot);
 [[nodiscard]] messages::RcChannels rc_channels(const Snapshot& snapshot);
 [[nodiscard]] messages::ExtendedSysState extended_sys_state(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::HomePosition> home_position(const Snapshot& snapshot);
 [[nodiscard]] std::optional<messages::GpsGlobalOrigin> gps_global_origin(const Snapshot& snapshot);
 [[nodiscard]] messages::AutopilotVersion autopilot_version(const Snapshot& snapshot);
+[[nodiscard]] messages::PowerStatus power_status(const Snapshot& snapshot);
+[[nodiscard]] messages::Meminfo meminfo(const Snapshot& snapshot);
+[[nodiscard]] messages::Ahrs ahrs(const Snapshot& snapshot);
+[[nodiscard]] messages::EkfStatusReport ekf_status_report(const Snapshot& snapshot);
+[[nodiscard]] messages::Vibration vibration(const Snapshot& snapshot);
+
+// The gimbal.
+[[nodiscard]] std::optional<messages::GimbalManagerInformation> gimbal_manager_information(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::GimbalDeviceInformation> gimbal_device_information(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::GimbalManagerStatus> gimbal_manager_status(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::GimbalDeviceAttitudeStatus> gimbal_attitude(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::MountOrientation> mount_orientation(const Snapshot& snapshot);
+
+// What PX4 sends besides, or fills in another way.
+[[nodiscard]] messages::ProtocolVersion protocol_version(const Snapshot& snapshot);
+[[nodiscard]] messages::Heartbeat heartbeat_px4(const Snapshot& snapshot);
+[[nodiscard]] messages::MissionCurrent mission_current_px4(const Snapshot& snapshot);
+[[nodiscard]] std::optional<messages::MissionItemReached> mission_item_reached_px4(const Snapshot& snapshot);
+[[nodiscard]] messages::AutopilotVersion autopilot_version_px4(const Snapshot& snapshot);
+[[nodiscard]] messages::CurrentMode current_mode(const Snapshot& snapshot);
+[[nodiscard]] messages::Altitude altitude(const Snapshot& snapshot);
+[[nodiscard]] messages::AttitudeTarget attitude_target(const Snapshot& snapshot);
+[[nodiscard]] messages::PositionTargetLocalNed position_target_local(const Snapshot& snapshot);
+[[nodiscard]] messages::EstimatorStatus estimator_status(const Snapshot& snapshot);
+
+/// MAV_TYPE
+[[nodiscard]] std::uint8_t vehicle_type(const Snapshot& snapshot);
 
 inline constexpr double degrees_per_radian = 180 / std::numbers::pi;
 

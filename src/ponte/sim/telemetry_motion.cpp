@@ -50,6 +50,27 @@ messages::Attitude attitude_message(const Snapshot& snapshot) {
   };
 }
 
+messages::AttitudeQuaternion attitude_quaternion(const Snapshot& snapshot) {
+  const auto& attitude = snapshot.readings.attitude;
+  const auto& rates = snapshot.readings.rates;
+  const double roll = attitude.roll.value / 2;
+  const double pitch = attitude.pitch.value / 2;
+  const double heading = attitude.heading.value / 2;
+  const double cr = std::cos(roll), sr = std::sin(roll);
+  const double cp = std::cos(pitch), sp = std::sin(pitch);
+  const double ch = std::cos(heading), sh = std::sin(heading);
+  return {
+      .time_boot_ms = boot_ms(snapshot),
+      .q1 = static_cast<float>(cr * cp * ch + sr * sp * sh),
+      .q2 = static_cast<float>(sr * cp * ch - cr * sp * sh),
+      .q3 = static_cast<float>(cr * sp * ch + sr * cp * sh),
+      .q4 = static_cast<float>(cr * cp * sh - sr * sp * ch),
+      .rollspeed = static_cast<float>(rates.x),
+      .pitchspeed = static_cast<float>(rates.y),
+      .yawspeed = static_cast<float>(rates.z),
+  };
+}
+
 /// Before there is a position, only the heading is known.
 messages::GlobalPositionInt global_position(const Snapshot& snapshot) {
   const auto& position = snapshot.readings.position;
@@ -106,10 +127,14 @@ messages::GpsRawInt gps_raw(const Snapshot& snapshot) {
   messages::GpsRawInt message{.fix_type = static_cast<std::uint8_t>(fix), .eph = unknown, .epv = unknown};
   if (fix == SatelliteFix::no_receiver) return message;
   message.time_usec = microseconds(at);
-  if (fix == SatelliteFix::none) return message;
+  const auto& [position, velocity] = reading;
+  if (fix == SatelliteFix::none) {  // where it last saw them, if it ever did
+    message.lat = degrees_e7(position.latitude);
+    message.lon = degrees_e7(position.longitude);
+    return message;
+  }
 
   const bool is_full = fix == SatelliteFix::full;
-  const auto& [position, velocity] = reading;
   message.lat = degrees_e7(position.latitude);
   message.lon = degrees_e7(position.longitude);
   message.alt = scaled<std::int32_t>(position.altitude_msl.value, millimetres);
@@ -146,10 +171,12 @@ messages::ScaledPressure scaled_pressure(const Snapshot& snapshot) {
   };
 }
 
-/// The air is still. ArduCopter tells that with this direction.
+/// Of still air, ArduPilot tells this direction.
 std::optional<messages::Wind> wind(const Snapshot& snapshot) {
   if (!snapshot.has_position) return std::nullopt;
-  return messages::Wind{.direction = -180};
+  const auto& wind = snapshot.wind;
+  return messages::Wind{.direction = static_cast<float>(std::atan2(-wind.east, -wind.north) * degrees_per_radian),
+                        .speed = static_cast<float>(horizontal(wind))};
 }
 
 }  // namespace ponte::sim

@@ -33,17 +33,23 @@ std::uint8_t base_mode(const Snapshot& snapshot) {
 
 std::uint8_t system_status(const Snapshot& snapshot) {
   if (!snapshot.is_ready) return messages::MAV_STATE_BOOT;
+  if (snapshot.is_in_trouble) return messages::MAV_STATE_CRITICAL;
   return snapshot.landed_state == LandedState::on_ground ? messages::MAV_STATE_STANDBY : messages::MAV_STATE_ACTIVE;
 }
 
 }  // namespace
 
+std::uint8_t vehicle_type(const Snapshot& snapshot) {
+  const bool is_plane = snapshot.kind.type == AirframeType::plane;
+  return is_plane ? messages::MAV_TYPE_FIXED_WING : messages::MAV_TYPE_QUADROTOR;
+}
+
 messages::Heartbeat heartbeat(const Snapshot& snapshot) {
   return {
-      .type = messages::MAV_TYPE_QUADROTOR,
+      .type = vehicle_type(snapshot),
       .autopilot = messages::MAV_AUTOPILOT_ARDUPILOTMEGA,
       .base_mode = base_mode(snapshot),
-      .custom_mode = static_cast<std::uint8_t>(snapshot.mode),
+      .custom_mode = flight_mode_info(snapshot.kind, snapshot.mode).custom_mode,
       .system_status = system_status(snapshot),
   };
 }
@@ -79,7 +85,8 @@ messages::BatteryStatus battery_status(const Snapshot& snapshot) {
       .current_consumed = scaled<std::int32_t>(snapshot.battery.consumed_ampere_hours, 1e3),
       .energy_consumed = scaled<std::int32_t>(snapshot.battery.consumed_joules, 1e-2),
       .battery_remaining = percent(snapshot.battery),
-      .charge_state = messages::MAV_BATTERY_CHARGE_STATE_OK,
+      .charge_state =
+          static_cast<std::uint8_t>(messages::MAV_BATTERY_CHARGE_STATE_OK + static_cast<unsigned>(snapshot.charge)),
   };
   message.voltages.fill(no_cell);
   message.voltages[0] = millivolts(snapshot.battery);  // of the whole pack: the cells are not measured
@@ -115,8 +122,22 @@ std::optional<messages::PositionTargetGlobalInt> position_target(const Snapshot&
   };
 }
 
-messages::MissionCurrent mission_current(const Snapshot& /*snapshot*/) {
-  return {.mission_state = messages::MISSION_STATE_NO_MISSION};
+std::optional<messages::MissionItemReached> mission_item_reached(const Snapshot& snapshot) {
+  if (!snapshot.reached) return std::nullopt;
+  return messages::MissionItemReached{.seq = snapshot.reached->item};
+}
+
+/// Home is an item, but is not counted.
+messages::MissionCurrent mission_current(const Snapshot& snapshot) {
+  const auto& mission = snapshot.mission;
+  return {
+      .seq = mission.current,
+      .total = static_cast<std::uint16_t>(mission.items == 0 ? 0 : mission.items - 1),
+      .mission_state = mission.state,
+      .mission_mode = static_cast<std::uint8_t>(mission.is_flown    ? 1
+                                                : mission.items > 1 ? 2
+                                                                    : 0),
+  };
 }
 
 messages::ServoOutputRaw servo_output(const Snapshot& snapshot) {
@@ -188,7 +209,12 @@ std::optional<messages::GpsGlobalOrigin> gps_global_origin(const Snapshot& snaps
 
 messages::AutopilotVersion autopilot_version(const Snapshot& snapshot) {
   return {
-      .capabilities = messages::MAV_PROTOCOL_CAPABILITY_MAVLINK2,
+      .capabilities = messages::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | messages::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT |
+                      messages::MAV_PROTOCOL_CAPABILITY_MISSION_INT | messages::MAV_PROTOCOL_CAPABILITY_COMMAND_INT |
+                      messages::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED |
+                      messages::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT |
+                      messages::MAV_PROTOCOL_CAPABILITY_FTP | messages::MAV_PROTOCOL_CAPABILITY_MAVLINK2 |
+                      messages::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE | messages::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY,
       .flight_sw_version = 0x0407'0000,  // 4.7.0, a development version
       .flight_custom_version = {'p', 'o', 'n', 't', 'e', '-', 's', 'i'},
       .uid = snapshot.system.value,

@@ -71,14 +71,16 @@ TEST(Telemetry, SendsOnlyHeartbeatAndTimesyncUnasked) {
 
 TEST(Telemetry, SendsTheMessagesOfEachStream) {
   EXPECT_THAT(names(stream(1)), ElementsAre("RAW_IMU", "SCALED_PRESSURE"));
-  EXPECT_THAT(names(stream(2)), UnorderedElementsAre("SYS_STATUS", "MISSION_CURRENT", "GPS_RAW_INT",
-                                                     "NAV_CONTROLLER_OUTPUT", "POSITION_TARGET_GLOBAL_INT"));
+  EXPECT_THAT(names(stream(2)),
+              UnorderedElementsAre("SYS_STATUS", "POWER_STATUS", "MEMINFO", "MISSION_CURRENT", "GPS_RAW_INT",
+                                   "NAV_CONTROLLER_OUTPUT", "POSITION_TARGET_GLOBAL_INT"));
   EXPECT_THAT(names(stream(3)), ElementsAre("RC_CHANNELS", "SERVO_OUTPUT_RAW"));
   EXPECT_THAT(names(stream(6)), ElementsAre("GLOBAL_POSITION_INT", "LOCAL_POSITION_NED"));
   EXPECT_THAT(names(stream(10)), ElementsAre("ATTITUDE"));
   EXPECT_THAT(names(stream(11)), ElementsAre("VFR_HUD"));
-  EXPECT_THAT(names(stream(12)), ElementsAre("BATTERY_STATUS", "SYSTEM_TIME", "WIND"));
-  EXPECT_THAT(names(stream(0)), SizeIs(16));
+  EXPECT_THAT(names(stream(12)),
+              ElementsAre("AHRS", "BATTERY_STATUS", "EKF_STATUS_REPORT", "SYSTEM_TIME", "VIBRATION", "WIND"));
+  EXPECT_THAT(names(stream(0)), SizeIs(21));
   EXPECT_THAT(names(stream(4)), IsEmpty());
 }
 
@@ -123,11 +125,11 @@ TEST(Telemetry, WaitsForAPositionWithSomeMessages) {
   TestStation station{{}};
   request(station, 0, 4);
   station.wait(seconds{7});
-  EXPECT_THAT(
-      names(counts(station)),
-      UnorderedElementsAre("ATTITUDE", "BATTERY_STATUS", "GLOBAL_POSITION_INT", "GPS_RAW_INT", "HEARTBEAT",
-                           "MISSION_CURRENT", "NAV_CONTROLLER_OUTPUT", "RAW_IMU", "RC_CHANNELS", "SCALED_PRESSURE",
-                           "SERVO_OUTPUT_RAW", "STATUSTEXT", "SYSTEM_TIME", "SYS_STATUS", "VFR_HUD"));
+  EXPECT_THAT(names(counts(station)),
+              UnorderedElementsAre("AHRS", "ATTITUDE", "BATTERY_STATUS", "EKF_STATUS_REPORT", "MEMINFO", "POWER_STATUS",
+                                   "VIBRATION", "GLOBAL_POSITION_INT", "GPS_RAW_INT", "HEARTBEAT", "MISSION_CURRENT",
+                                   "NAV_CONTROLLER_OUTPUT", "RAW_IMU", "RC_CHANNELS", "SCALED_PRESSURE",
+                                   "SERVO_OUTPUT_RAW", "STATUSTEXT", "SYSTEM_TIME", "SYS_STATUS", "VFR_HUD"));
 }
 
 TEST(Telemetry, TellsWhenItCouldBeArmed) {

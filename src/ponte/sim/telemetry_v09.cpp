@@ -27,14 +27,12 @@ constexpr std::uint16_t us_per_ms = 1000;
 std::uint8_t mode_of(const Snapshot& snapshot) {
   if (!snapshot.is_ready) return v09::MAV_MODE_UNINIT;
   switch (snapshot.mode) {
-    case FlightMode::stabilize: return v09::MAV_MODE_MANUAL;
+    case FlightMode::manual:
+    case FlightMode::stabilize:
+    case FlightMode::altitude_hold: return v09::MAV_MODE_MANUAL;
     case FlightMode::guided: return v09::MAV_MODE_GUIDED;
-    case FlightMode::automatic:
-    case FlightMode::loiter:
-    case FlightMode::rtl:
-    case FlightMode::land: return v09::MAV_MODE_AUTO;
+    default: return v09::MAV_MODE_AUTO;
   }
-  return v09::MAV_MODE_UNINIT;
 }
 
 std::uint8_t nav_mode_of(const Snapshot& snapshot) {
@@ -45,10 +43,8 @@ std::uint8_t nav_mode_of(const Snapshot& snapshot) {
     case FlightMode::rtl: return v09::MAV_NAV_RETURNING;
     case FlightMode::land: return v09::MAV_NAV_LANDING;
     case FlightMode::guided: return v09::MAV_NAV_VECTOR;
-    case FlightMode::stabilize:
-    case FlightMode::loiter: return v09::MAV_NAV_LOITER;
+    default: return v09::MAV_NAV_LOITER;
   }
-  return v09::MAV_NAV_HOLD;
 }
 
 std::uint8_t status_of(const Snapshot& snapshot) {
@@ -193,26 +189,23 @@ v09::RcChannelsRaw rc_channels_v09(const Snapshot& snapshot) {
 }
 
 constexpr std::array rows{
-    telemetry_row<heartbeat_v09>(Stream::heartbeat),
-    telemetry_row<attitude_v09>(Stream::extra1),
-    telemetry_row<global_position_v09>(Stream::position),
-    telemetry_row<vfr_hud_v09>(Stream::extra2),
-    telemetry_row<sys_status_v09>(Stream::extended_status),
-    telemetry_row<nav_controller_output_v09>(Stream::extended_status),
-    telemetry_row<gps_raw_v09>(Stream::extended_status),
-    telemetry_row<servo_output_v09>(Stream::rc_channels),
-    telemetry_row<rc_channels_v09>(Stream::rc_channels),
-    telemetry_row<imu_v09<v09::RawImu>>(Stream::raw_sensors),
-    telemetry_row<imu_v09<v09::ScaledImu>>(Stream::raw_sensors),
-    telemetry_row<scaled_pressure_v09>(Stream::raw_sensors),
+    telemetry_row<heartbeat_v09>({Stream::none, std::chrono::seconds{1}}),
+    telemetry_row<attitude_v09>({Stream::extra1}),
+    telemetry_row<global_position_v09>({Stream::position}),
+    telemetry_row<vfr_hud_v09>({Stream::extra2}),
+    telemetry_row<sys_status_v09>({Stream::extended_status}),
+    telemetry_row<nav_controller_output_v09>({Stream::extended_status}),
+    telemetry_row<gps_raw_v09>({Stream::extended_status}),
+    telemetry_row<servo_output_v09>({Stream::rc_channels}),
+    telemetry_row<rc_channels_v09>({Stream::rc_channels}),
+    telemetry_row<imu_v09<v09::RawImu>>({Stream::raw_sensors}),
+    telemetry_row<imu_v09<v09::ScaledImu>>({Stream::raw_sensors}),
+    telemetry_row<scaled_pressure_v09>({Stream::raw_sensors}),
 };
-constexpr auto streams = streams_of(rows);
 static_assert(rows.size() <= MessageRates::capacity);
 
 }  // namespace
 
 std::span<const TelemetryRow> telemetry_rows_v09() { return rows; }
-
-std::span<const Stream> telemetry_streams_v09() { return streams; }
 
 }  // namespace ponte::sim

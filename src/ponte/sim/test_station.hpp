@@ -41,7 +41,7 @@ class TestStation {
   /// Waits until `condition` holds, which it examines after each step; false if it never does.
   template <class Condition>
   bool wait_until(Condition&& condition, Duration limit) {
-    for (const auto end = now_ + limit; now_ < end; wait(Copter::step_length))
+    for (const auto end = now_ + limit; now_ < end; wait(Airframe::step_length))
       if (condition()) return true;
     return condition();
   }
@@ -85,7 +85,7 @@ class TestStation {
 
   unsigned arm() { return command(messages::MAV_CMD_COMPONENT_ARM_DISARM, {1}); }
   unsigned set_mode(FlightMode mode) {
-    return command(messages::MAV_CMD_DO_SET_MODE, {1, static_cast<float>(static_cast<unsigned>(mode))});
+    return command(messages::MAV_CMD_DO_SET_MODE, {1, static_cast<float>(flight_mode_info({}, mode).custom_mode)});
   }
   unsigned take_off(float height) { return command(messages::MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, height}); }
   unsigned set_interval(mavlink::MessageId id, float microseconds) {
@@ -116,7 +116,7 @@ class TestStation {
   void forget() { frames_.clear(); }
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
-  [[nodiscard]] const CopterState& truth() const { return vehicle_.truth(); }
+  [[nodiscard]] const AirframeState& truth() const { return vehicle_.truth(); }
   /// From the place where the vehicle was switched on.
   [[nodiscard]] NorthEastDown place() const { return offset_between(config_.start, truth().position); }
   [[nodiscard]] Timestamp now() const { return now_; }

@@ -6,22 +6,24 @@
 #include "ponte/mavlink/message_info.hpp"
 #include "ponte/sim/autopilot.hpp"
 #include "ponte/sim/config.hpp"
-#include "ponte/sim/copter.hpp"
+#include "ponte/sim/faults.hpp"
 #include "ponte/sim/frame_sender.hpp"
+#include "ponte/sim/onboard_memory.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace ponte::sim {
 
-/// One simulated vehicle: a copter, and an autopilot that speaks MAVLink to whoever listens. It knows no clock and no
-/// socket, allocates nothing, and with the same configuration and the same frames at the same times it sends the same
-/// bytes.
+/// One simulated vehicle: an aircraft, and an autopilot that speaks MAVLink to whoever listens. It knows no clock and
+/// no socket, allocates nothing, and with the same configuration and the same frames at the same times it sends the
+/// same bytes.
 class Vehicle {
  public:
   /// No step and no answer has more frames: an outbox of this capacity, emptied after each call, loses nothing as long
   /// as the calls come in time.
-  static constexpr std::size_t frames_per_step = 64;
+  static constexpr std::size_t frames_per_step = 128;
 
   explicit Vehicle(const VehicleConfig& config);
 
@@ -32,26 +34,36 @@ class Vehicle {
                 Outbox<Frame>& out);
   /// Lets the steps go by that are due. After a pause it makes up for all of them.
   void on_tick(Timestamp now, Outbox<Frame>& out);
+  /// Something goes wrong, now or later.
+  void inject(const Fault& fault) { faults_.add(fault); }
   /// When the next step is due.
   [[nodiscard]] Timestamp next_deadline() const { return step_at(steps_ + 1); }
 
   /// What is true at the last step, whatever the sensors say.
-  [[nodiscard]] const CopterState& truth() const { return copter_.state(); }
-  /// The steps that have gone by, `Copter::step_length` each.
+  [[nodiscard]] const AirframeState& truth() const { return airframe_->state(); }
+  /// The steps that have gone by, `Airframe::step_length` each.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:
   [[nodiscard]] static Timestamp step_at(std::uint64_t step) {
-    return Timestamp{Copter::step_length * static_cast<std::int64_t>(step)};
+    return Timestamp{Airframe::step_length * static_cast<std::int64_t>(step)};
   }
 
+  [[nodiscard]] bool has_fault(FaultKind kind) const { return faults_.is_on(kind, now()); }
+  [[nodiscard]] Duration now() const { return step_at(steps_) - Timestamp{}; }
   void step(Outbox<Frame>& out);
+  void begin_faults();
+  void reboot();
 
   VehicleConfig config_;
-  Copter copter_;
+  std::unique_ptr<Airframe> airframe_;
+  Wind wind_;
+  Faults faults_;
+  OnboardMemory memory_;
   std::optional<Autopilot> autopilot_;  // nothing while it starts anew
   std::uint64_t steps_{};
   std::uint64_t boot_step_{};
+  Outbox<Frame> unheard_{1};  // what is said while the link is lost
 };
 
 }  // namespace ponte::sim

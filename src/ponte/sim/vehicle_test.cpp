@@ -145,7 +145,7 @@ TEST(Vehicle, StaysOnTheLinesOfItsSquare) {
   station.wait(seconds{40});
   const double side = config.square.side.value;
   for (int i = 0; i < 3000; ++i) {
-    station.wait(Copter::step_length);
+    station.wait(Airframe::step_length);
     const auto place = station.place();
     const double outside = std::max({-place.north, place.north - side, -place.east, place.east - side});
     const double inside = std::min({place.north, side - place.north, place.east, side - place.east});
@@ -352,7 +352,7 @@ TEST(Vehicle, LetsAnHourGoBy) {
   Outbox<Frame> out{Vehicle::frames_per_step};
   vehicle.on_tick(Timestamp{hours{1}}, out);
   EXPECT_EQ(vehicle.steps(), 180'000U);
-  EXPECT_EQ(vehicle.next_deadline(), Timestamp{hours{1} + Copter::step_length});
+  EXPECT_EQ(vehicle.next_deadline(), Timestamp{hours{1} + Airframe::step_length});
 }
 
 TEST(Vehicle, StaysOnItsSquareForTheLengthOfABattery) {
