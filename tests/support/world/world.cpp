@@ -31,6 +31,10 @@ class World::Mouth final : public Sender {
     for (Port port = 0; port < world_.inhabitants_[participant_].directions.size(); ++port) send(port, piece);
   }
 
+  void tell(std::string_view text) override {
+    world_.timeline_.happened(world_.now_, world_.inhabitants_[participant_].name, text);
+  }
+
  private:
   World& world_;
   std::size_t participant_;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ponte::world {
@@ -23,6 +24,8 @@ class Sender {
   virtual ~Sender() = default;
   virtual void send(Port port, Bytes piece) = 0;
   virtual void send_to_all(Bytes piece) = 0;
+  /// Something that happened, for the timeline.
+  virtual void tell(std::string_view text) = 0;
 };
 
 /// Something that lives in a world: an engine with its parsers, and no clock.
