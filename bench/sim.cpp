@@ -23,7 +23,7 @@ constexpr std::chrono::seconds flown{60};
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-void send(const auto& message, Timestamp now, sim::Vehicle& vehicle, Outbox<sim::Frame>& out) {
+void send(const auto& message, Timestamp now, sim::Vehicle& vehicle, Outbox<mavlink::FrameBuffer>& out) {
   std::array<std::byte, mavlink::max_frame_size> buffer{};
   const auto size = mavlink::encode(message, {.system = mavlink::SystemId{255}}, buffer);
   vehicle.on_frame(now, *mavlink::parse_frame(Bytes{buffer}.first(*size)), message.info, out);
@@ -39,7 +39,7 @@ messages::CommandLong command(unsigned number, float param1, float param7 = 0) {
 
 double share(sim::Personality personality) {
   std::vector<std::unique_ptr<sim::Vehicle>> fleet;
-  Outbox<sim::Frame> out{sim::Vehicle::frames_per_step};
+  Outbox<mavlink::FrameBuffer> out{sim::Vehicle::frames_per_step};
   const Timestamp start{std::chrono::seconds{10}};
   for (std::uint64_t n = 0; n < vehicles; ++n) {
     auto& vehicle = *fleet.emplace_back(std::make_unique<sim::Vehicle>(sim::VehicleConfig{

@@ -32,9 +32,9 @@ sim::VehicleConfig config_for(std::uint8_t choice) {
 }
 
 /// Hands every frame that the vehicle sends to a check, and empties the outbox.
-void examine(Outbox<sim::Frame>& out) {
+void examine(Outbox<mavlink::FrameBuffer>& out) {
   PONTE_ASSERT(out.overwritten() == 0);
-  out.drain([](const sim::Frame& frame) { PONTE_ASSERT(mavlink::parse_frame(frame.bytes()).has_value()); });
+  out.drain([](const mavlink::FrameBuffer& frame) { PONTE_ASSERT(mavlink::parse_frame(frame.bytes()).has_value()); });
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (input.empty()) return 0;
   sim::Vehicle vehicle{config_for(u8(input, 0))};
   input = input.subspan(1);
-  Outbox<sim::Frame> out{sim::Vehicle::frames_per_step};
+  Outbox<mavlink::FrameBuffer> out{sim::Vehicle::frames_per_step};
   Timestamp now{};
   const auto wait = [&](Duration duration) {
     for (const auto end = now + duration; now < end;) {

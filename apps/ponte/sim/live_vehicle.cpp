@@ -145,7 +145,7 @@ void LiveVehicle::on_peer(Timestamp, transport::PeerId peer, transport::PeerChan
 }
 
 void LiveVehicle::flush() {
-  out_.drain([&](sim::Frame frame) {
+  out_.drain([&](mavlink::FrameBuffer frame) {
     if (security_.signer != nullptr && frame.buffer[0] == mavlink::start_v2)
       frame.size = security_.signer->sign(transport::Loop::wall(), link_id, frame.buffer, frame.size);
     if (link_) link_->send(frame.bytes());

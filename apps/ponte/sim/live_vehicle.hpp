@@ -73,7 +73,7 @@ class LiveVehicle final : public transport::LinkHandler {
   VehicleSecurity security_;
   std::optional<mavlink::Signer> set_up_;  ///< with the key of SETUP_SIGNING
   mavlink::Refusals refused_{};
-  Outbox<sim::Frame> out_{4 * sim::Vehicle::frames_per_step};
+  Outbox<mavlink::FrameBuffer> out_{4 * sim::Vehicle::frames_per_step};
   transport::Timer timer_;
   transport::Timer arm_timer_;
 };

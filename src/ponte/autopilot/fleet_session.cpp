@@ -52,7 +52,7 @@ FleetSession::Link* FleetSession::find(LinkId link) {
 
 void FleetSession::on_link_up(Timestamp now, LinkId link) {
   if (find(link) != nullptr || links_.size() == link_limit) return;
-  links_.push_back({.id = link, .version = config_.version});
+  links_.push_back({.id = link, .sender = {config_.version, config_.system, config_.component}});
   next_heartbeat_ = now;  // autopilots stay silent until they hear a ground station
 }
 
@@ -65,21 +65,10 @@ void FleetSession::on_link_down(LinkId link, Outbox<FleetFact>& facts) {
   }
 }
 
-template <mavlink::Message M>
-void FleetSession::send(LinkId link, const M& message, Outbox<OutgoingFrame>& out) {
+std::optional<Voice> FleetSession::voice(LinkId link, Outbox<OutgoingFrame>& out) {
   auto* peer = find(link);
-  if (peer == nullptr) return;
-  OutgoingFrame frame;
-  frame.link = link;
-  const auto size = mavlink::encode(message,
-                                    {.version = peer->version,
-                                     .system = config_.system,
-                                     .component = config_.component,
-                                     .sequence = peer->sequence++},
-                                    frame.buffer);
-  PONTE_ASSERT(size.has_value());
-  frame.size = *size;
-  out.push(frame);
+  if (peer == nullptr) return {};
+  return Voice{peer->sender, link, out};
 }
 
 bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out,
@@ -102,7 +91,7 @@ bool FleetSession::on_frame(Timestamp now, LinkId link, const mavlink::FrameView
 /// frame of an older version must not make us send what cannot be signed.
 void FleetSession::note_version(Link& link, const mavlink::FrameView& frame) {
   link.has_signed = link.has_signed || frame.is_signed();
-  link.version = link.has_signed ? mavlink::Version::v2 : frame.version;
+  link.sender.set_version(link.has_signed ? mavlink::Version::v2 : frame.version);
 }
 
 std::optional<FleetSession::Announcement> FleetSession::announcement_in(const mavlink::FrameView& frame) {
@@ -180,36 +169,31 @@ void FleetSession::answer_timesync(Timestamp now, LinkId link, const mavlink::Fr
                                    Outbox<OutgoingFrame>& out) {
   const auto request = mavlink::decode<messages::Timesync>(frame);
   if (request.tc1 != 0) return;
-  send(link,
-       messages::Timesync{.tc1 = now.time_since_epoch().count(),
-                          .ts1 = request.ts1,
-                          .target_system = frame.system.value,
-                          .target_component = frame.component.value},
-       out);
+  if (auto peer = voice(link, out))
+    peer->send(messages::Timesync{.tc1 = now.time_since_epoch().count(),
+                                  .ts1 = request.ts1,
+                                  .target_system = frame.system.value,
+                                  .target_component = frame.component.value});
 }
 
 void FleetSession::ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& out) {
   vehicle.last_request = now;
   vehicle.last_attitude = now;
-  if (!config_.ask_for_streams) return;
-  if (const auto* link = find(vehicle.link); link != nullptr && link->version == mavlink::Version::v0_9)
-    return ask_v09(vehicle, out);
+  auto peer = voice(vehicle.link, out);
+  if (!config_.ask_for_streams || !peer) return;
+  if (peer->version() == mavlink::Version::v0_9) return ask_v09(vehicle, *peer);
   for (const auto& group : stream_groups_for(vehicle.stack))
-    send(vehicle.link,
-         messages::RequestDataStream{.target_system = vehicle.system.value,
-                                     .target_component = vehicle.component.value,
-                                     .req_stream_id = group.group,
-                                     .req_message_rate = group.rate_hz,
-                                     .start_stop = 1},
-         out);
+    peer->send(messages::RequestDataStream{.target_system = vehicle.system.value,
+                                           .target_component = vehicle.component.value,
+                                           .req_stream_id = group.group,
+                                           .req_message_rate = group.rate_hz,
+                                           .start_stop = 1});
   const auto command = [&](std::uint16_t number, mavlink::MessageId message, float parameter) {
-    send(vehicle.link,
-         messages::CommandLong{.target_system = vehicle.system.value,
-                               .target_component = vehicle.component.value,
-                               .command = number,
-                               .param1 = static_cast<float>(message.value),
-                               .param2 = parameter},
-         out);
+    peer->send(messages::CommandLong{.target_system = vehicle.system.value,
+                                     .target_component = vehicle.component.value,
+                                     .command = number,
+                                     .param1 = static_cast<float>(message.value),
+                                     .param2 = parameter});
   };
   constexpr double us_per_s = 1e6;
   for (const auto& [message, rate_hz] : message_rates_for(vehicle.stack))
@@ -218,32 +202,27 @@ void FleetSession::ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& o
 }
 
 /// Streams are all that can be asked for in MAVLink 0.9. Their numbers are those of ArduPilot until today.
-void FleetSession::ask_v09(const Vehicle& vehicle, Outbox<OutgoingFrame>& out) {
+void FleetSession::ask_v09(const Vehicle& vehicle, Voice& peer) {
   for (const auto& group : stream_groups_for(Stack::ardupilot_copter))
-    send(vehicle.link,
-         messages_v09::RequestDataStream{.target_system = vehicle.system.value,
-                                         .target_component = vehicle.component.value,
-                                         .req_stream_id = group.group,
-                                         .req_message_rate = group.rate_hz,
-                                         .start_stop = 1},
-         out);
+    peer.send(messages_v09::RequestDataStream{.target_system = vehicle.system.value,
+                                              .target_component = vehicle.component.value,
+                                              .req_stream_id = group.group,
+                                              .req_message_rate = group.rate_hz,
+                                              .start_stop = 1});
 }
 
-void FleetSession::send_heartbeat(const Link& link, Outbox<OutgoingFrame>& out) {
-  if (link.version == mavlink::Version::v0_9)
-    send(link.id, messages_v09::Heartbeat{.type = messages_v09::OCU, .autopilot = messages_v09::MAV_AUTOPILOT_NONE},
-         out);
+void FleetSession::send_heartbeat(Voice peer) {
+  if (peer.version() == mavlink::Version::v0_9)
+    peer.send(messages_v09::Heartbeat{.type = messages_v09::OCU, .autopilot = messages_v09::MAV_AUTOPILOT_NONE});
   else
-    send(link.id,
-         messages::Heartbeat{.type = messages::MAV_TYPE_GCS,
-                             .autopilot = messages::MAV_AUTOPILOT_INVALID,
-                             .system_status = messages::MAV_STATE_ACTIVE},
-         out);
+    peer.send(messages::Heartbeat{.type = messages::MAV_TYPE_GCS,
+                                  .autopilot = messages::MAV_AUTOPILOT_INVALID,
+                                  .system_status = messages::MAV_STATE_ACTIVE});
 }
 
 void FleetSession::on_tick(Timestamp now, Outbox<OutgoingFrame>& out, Outbox<FleetFact>& facts) {
   if (next_heartbeat_ && *next_heartbeat_ <= now) {
-    for (const auto& link : links_) send_heartbeat(link, out);
+    for (auto& link : links_) send_heartbeat({link.sender, link.id, out});
     next_heartbeat_ = now + heartbeat_period;
   }
   for (auto& vehicle : vehicles_) {

@@ -1,29 +1,17 @@
 #pragma once
 
 #include "ponte/autopilot/modes.hpp"
-#include "ponte/core/id.hpp"
+#include "ponte/autopilot/voice.hpp"
 #include "ponte/core/outbox.hpp"
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
 #include "ponte/mavlink/message_info.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace ponte::autopilot {
-
-/// One exchange with one peer: a serial line, a TCP connection, the sender of datagrams. The app numbers them.
-using LinkId = Id<struct LinkIdTag, std::uint16_t>;
-
-struct OutgoingFrame {
-  LinkId link{};
-  std::size_t size{};
-  std::array<std::byte, mavlink::max_frame_size> buffer{};
-
-  [[nodiscard]] Bytes bytes() const { return Bytes{buffer}.first(size); }
-};
 
 /// What is worth a line in the log.
 struct FleetFact {
@@ -89,6 +77,9 @@ class FleetSession {
     std::optional<std::uint32_t> newest_boot_ms{};
     std::optional<std::uint32_t> boot_ms_before_reboot{};
   };
+  /// What else is said on a link goes through this, so that all frames are numbered together; nothing for a link that
+  /// is not up.
+  [[nodiscard]] std::optional<Voice> voice(LinkId link, Outbox<OutgoingFrame>& out);
   /// Whether this system id is that of a vehicle.
   [[nodiscard]] bool follows(mavlink::SystemId system) const;
   /// By system id, ascending.
@@ -97,9 +88,8 @@ class FleetSession {
  private:
   struct Link {
     LinkId id{};
-    mavlink::Version version{};
+    mavlink::FrameSender sender;
     bool has_signed{};
-    std::uint8_t sequence{};
   };
 
   Vehicle* find(mavlink::SystemId system);
@@ -119,10 +109,8 @@ class FleetSession {
   void tell_duplicate(Vehicle& vehicle, LinkId link, Outbox<FleetFact>& facts);
   void answer_timesync(Timestamp now, LinkId link, const mavlink::FrameView& frame, Outbox<OutgoingFrame>& out);
   void ask(Timestamp now, Vehicle& vehicle, Outbox<OutgoingFrame>& out);
-  void ask_v09(const Vehicle& vehicle, Outbox<OutgoingFrame>& out);
-  void send_heartbeat(const Link& link, Outbox<OutgoingFrame>& out);
-  template <mavlink::Message M>
-  void send(LinkId link, const M& message, Outbox<OutgoingFrame>& out);
+  static void ask_v09(const Vehicle& vehicle, Voice& peer);
+  static void send_heartbeat(Voice peer);
 
   FleetConfig config_;
   std::vector<Vehicle> vehicles_;

@@ -65,7 +65,7 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
   snapshot_.mode = flight_.mode();
 }
 
-void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out) {
+void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<mavlink::FrameBuffer>& out) {
   auto speaker = speaker_to(out);
   take_over_parameters();
   failsafes_.step(now - boot_, navigation_.has_position() || !navigation_.ever_had_position(), flight_, airframe,
@@ -75,7 +75,7 @@ void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out) {
 }
 
 void Autopilot::report(Timestamp now, std::uint64_t step, const Airframe& airframe, bool hears_satellites,
-                       Outbox<Frame>& out) {
+                       Outbox<mavlink::FrameBuffer>& out) {
   auto speaker = speaker_to(out);
   snapshot_.since_boot = now - boot_;
   navigation_.step(snapshot_.since_boot, hears_satellites);
@@ -167,7 +167,8 @@ bool Autopilot::has_just_passed(Duration moment) const {
   return snapshot_.since_boot >= moment && snapshot_.since_boot - Airframe::step_length < moment;
 }
 
-void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out) {
+void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe,
+                         Outbox<mavlink::FrameBuffer>& out) {
   if (frame.system == config_.system && frame.component == config_.component) return;  // our own, come back
   Call call{{frame.system, frame.component}, airframe, speaker_to(out)};
   if (speaks_v09() || frame.version == mavlink::Version::v0_9) {

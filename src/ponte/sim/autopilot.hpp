@@ -5,13 +5,13 @@
 #include "ponte/mavlink/autopilots/gimbal_manager_set_pitchyaw.hpp"
 #include "ponte/mavlink/autopilots/timesync.hpp"
 #include "ponte/mavlink/frame.hpp"
+#include "ponte/mavlink/frame_sender.hpp"
 #include "ponte/sim/command.hpp"
 #include "ponte/sim/config.hpp"
 #include "ponte/sim/failsafe.hpp"
 #include "ponte/sim/file_server.hpp"
 #include "ponte/sim/flight.hpp"
 #include "ponte/sim/flight_fact.hpp"
-#include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/message_rates.hpp"
 #include "ponte/sim/mission_service.hpp"
 #include "ponte/sim/navigation.hpp"
@@ -35,13 +35,14 @@ class Autopilot {
   Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timestamp boot);
 
   /// Before the aircraft's step, which leads to `now`: what it has to do.
-  void steer(Timestamp now, Airframe& airframe, Outbox<Frame>& out);
+  void steer(Timestamp now, Airframe& airframe, Outbox<mavlink::FrameBuffer>& out);
   /// After the aircraft's step, at the time of the step: what there is to tell. `step` counts the steps since power-on.
-  void report(Timestamp now, std::uint64_t step, const Airframe& airframe, bool hears_satellites, Outbox<Frame>& out);
+  void report(Timestamp now, std::uint64_t step, const Airframe& airframe, bool hears_satellites,
+              Outbox<mavlink::FrameBuffer>& out);
 
   /// A frame from outside, of a known message and with the right checksum. An autopilot of MAVLink 0.9 understands no
   /// other version, and the others do not understand that one.
-  void on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<Frame>& out);
+  void on_frame(Timestamp now, const mavlink::FrameView& frame, Airframe& airframe, Outbox<mavlink::FrameBuffer>& out);
 
   /// Metres from where it is to where it believes to be.
   [[nodiscard]] const NorthEastDown& position_error() const { return navigation_.error(); }
@@ -129,7 +130,9 @@ class Autopilot {
   void tell_progress(Speaker& speaker);
   void tell_mode(Speaker& speaker);
   void tell_facts(Speaker& speaker);
-  [[nodiscard]] Speaker speaker_to(Outbox<Frame>& out) { return {config_.version, sender_, text_numbers_, out}; }
+  [[nodiscard]] Speaker speaker_to(Outbox<mavlink::FrameBuffer>& out) {
+    return {config_.version, sender_, text_numbers_, out};
+  }
 
   [[nodiscard]] bool is_px4() const { return config_.personality == Personality::px4; }
   /// What each of them answers to a wish that is fine, but not now.
@@ -151,7 +154,7 @@ class Autopilot {
   Flight flight_;
   Failsafes failsafes_;
   Outbox<FlightFact> facts_{most_facts};  // of one call of `flight_`
-  FrameSender sender_;
+  mavlink::FrameSender sender_;
   TextNumbers text_numbers_;
   MessageRates rates_;
   ParameterService parameters_;

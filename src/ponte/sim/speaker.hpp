@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ponte/mavlink/frame.hpp"
-#include "ponte/sim/frame_sender.hpp"
+#include "ponte/mavlink/frame_sender.hpp"
 #include "ponte/sim/personality.hpp"
 
 #include <cstdint>
@@ -32,7 +32,8 @@ class TextNumbers {
 /// What a service of the autopilot answers through, during one call.
 class Speaker {
  public:
-  Speaker(mavlink::Version version, FrameSender& sender, TextNumbers& numbers, Outbox<Frame>& out)
+  Speaker(mavlink::Version version, mavlink::FrameSender& sender, TextNumbers& numbers,
+          Outbox<mavlink::FrameBuffer>& out)
       : version_{version}, sender_{sender}, numbers_{numbers}, out_{out} {}
 
   template <mavlink::Message M>
@@ -43,14 +44,14 @@ class Speaker {
   /// A text for people, of this MAV_SEVERITY; in pieces of 50 characters if it is longer.
   void say(std::uint8_t severity, std::string_view text);
 
-  [[nodiscard]] FrameSender& sender() const { return sender_; }
-  [[nodiscard]] Outbox<Frame>& out() const { return out_; }
+  [[nodiscard]] mavlink::FrameSender& sender() const { return sender_; }
+  [[nodiscard]] Outbox<mavlink::FrameBuffer>& out() const { return out_; }
 
  private:
   mavlink::Version version_;
-  FrameSender& sender_;
+  mavlink::FrameSender& sender_;
   TextNumbers& numbers_;
-  Outbox<Frame>& out_;
+  Outbox<mavlink::FrameBuffer>& out_;
 };
 
 }  // namespace ponte::sim

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "ponte/mavlink/frame_sender.hpp"
 #include "ponte/mavlink/message_info.hpp"
 #include "ponte/sim/battery.hpp"
 #include "ponte/sim/failsafe.hpp"
 #include "ponte/sim/flight.hpp"
-#include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/gimbal.hpp"
 #include "ponte/sim/message_rates.hpp"
 #include "ponte/sim/personality.hpp"
@@ -75,7 +75,7 @@ struct TelemetryRow {
   const mavlink::MessageInfo* info;
   Rate rate;
   /// Sends nothing if there is nothing to tell yet.
-  void (*send)(const Snapshot& snapshot, FrameSender& sender, Outbox<Frame>& out);
+  void (*send)(const Snapshot& snapshot, mavlink::FrameSender& sender, Outbox<mavlink::FrameBuffer>& out);
 };
 
 /// What an autopilot of this personality and version has, in the order in which the messages of one step are sent.

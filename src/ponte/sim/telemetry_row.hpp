@@ -9,10 +9,12 @@
 namespace ponte::sim {
 namespace detail {
 
-void send_made(const auto& message, FrameSender& sender, Outbox<Frame>& out) { sender.send(message, out); }
+void send_made(const auto& message, mavlink::FrameSender& sender, Outbox<mavlink::FrameBuffer>& out) {
+  sender.send(message, out);
+}
 
 template <class M>
-void send_made(const std::optional<M>& message, FrameSender& sender, Outbox<Frame>& out) {
+void send_made(const std::optional<M>& message, mavlink::FrameSender& sender, Outbox<mavlink::FrameBuffer>& out) {
   if (message) sender.send(*message, out);
 }
 
@@ -31,7 +33,8 @@ struct Made<std::optional<M>> {
 template <auto make>
 constexpr TelemetryRow telemetry_row(Rate rate) {
   using M = typename detail::Made<std::invoke_result_t<decltype(make), const Snapshot&>>::type;
-  return {&M::info, rate, [](const Snapshot& snapshot, FrameSender& sender, Outbox<Frame>& out) {
+  return {&M::info, rate,
+          [](const Snapshot& snapshot, mavlink::FrameSender& sender, Outbox<mavlink::FrameBuffer>& out) {
             detail::send_made(make(snapshot), sender, out);
           }};
 }

@@ -114,7 +114,7 @@ class TestStation {
   }
 
   void forget() { frames_.clear(); }
-  [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
+  [[nodiscard]] const std::vector<mavlink::FrameBuffer>& frames() const { return frames_; }
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
   [[nodiscard]] const AirframeState& truth() const { return vehicle_.truth(); }
   /// From the place where the vehicle was switched on.
@@ -124,7 +124,7 @@ class TestStation {
 
  private:
   void take() {
-    outbox_.drain([this](const Frame& frame) {
+    outbox_.drain([this](const mavlink::FrameBuffer& frame) {
       const auto view = mavlink::parse_frame(frame.bytes());
       PONTE_ASSERT(view && view->whole.size() == frame.size);
       const auto* info = messages::dialect.find(view->message);
@@ -136,8 +136,8 @@ class TestStation {
 
   VehicleConfig config_;
   Vehicle vehicle_;
-  Outbox<Frame> outbox_{Vehicle::frames_per_step};
-  std::vector<Frame> frames_;
+  Outbox<mavlink::FrameBuffer> outbox_{Vehicle::frames_per_step};
+  std::vector<mavlink::FrameBuffer> frames_;
   Timestamp now_{};
   mavlink::SystemId system_{255};
   mavlink::ComponentId component_{190};

@@ -26,14 +26,14 @@ Vehicle::Vehicle(const VehicleConfig& config)
       autopilot_{std::in_place, config, memory_, Timestamp{}} {}
 
 void Vehicle::on_frame(Timestamp now, const mavlink::FrameView& frame, const mavlink::MessageInfo& /*message*/,
-                       Outbox<Frame>& out) {
+                       Outbox<mavlink::FrameBuffer>& out) {
   on_tick(now, out);
   if (!autopilot_ || has_fault(FaultKind::link_loss)) return;
   autopilot_->on_frame(now, frame, *airframe_, out);
   if (autopilot_->wants_reboot()) reboot();
 }
 
-void Vehicle::on_tick(Timestamp now, Outbox<Frame>& out) {
+void Vehicle::on_tick(Timestamp now, Outbox<mavlink::FrameBuffer>& out) {
   while (next_deadline() <= now) step(out);
 }
 
@@ -44,7 +44,7 @@ void Vehicle::reboot() {
 }
 
 /// While ArduPilot starts anew, the aircraft goes on with what it was told last.
-void Vehicle::step(Outbox<Frame>& out) {
+void Vehicle::step(Outbox<mavlink::FrameBuffer>& out) {
   ++steps_;
   begin_faults();
   auto& heard = has_fault(FaultKind::link_loss) ? unheard_ : out;

@@ -3,11 +3,11 @@
 #include "ponte/core/outbox.hpp"
 #include "ponte/core/time.hpp"
 #include "ponte/mavlink/frame.hpp"
+#include "ponte/mavlink/frame_sender.hpp"
 #include "ponte/mavlink/message_info.hpp"
 #include "ponte/sim/autopilot.hpp"
 #include "ponte/sim/config.hpp"
 #include "ponte/sim/faults.hpp"
-#include "ponte/sim/frame_sender.hpp"
 #include "ponte/sim/onboard_memory.hpp"
 
 #include <cstdint>
@@ -31,9 +31,9 @@ class Vehicle {
 
   /// A frame from outside, of this known message and with the right checksum.
   void on_frame(Timestamp now, const mavlink::FrameView& frame, const mavlink::MessageInfo& message,
-                Outbox<Frame>& out);
+                Outbox<mavlink::FrameBuffer>& out);
   /// Lets the steps go by that are due. After a pause it makes up for all of them.
-  void on_tick(Timestamp now, Outbox<Frame>& out);
+  void on_tick(Timestamp now, Outbox<mavlink::FrameBuffer>& out);
   /// Something goes wrong, now or later.
   void inject(const Fault& fault) { faults_.add(fault); }
   /// When the next step is due.
@@ -51,7 +51,7 @@ class Vehicle {
 
   [[nodiscard]] bool has_fault(FaultKind kind) const { return faults_.is_on(kind, now()); }
   [[nodiscard]] Duration now() const { return step_at(steps_) - Timestamp{}; }
-  void step(Outbox<Frame>& out);
+  void step(Outbox<mavlink::FrameBuffer>& out);
   void begin_faults();
   void reboot();
 
@@ -63,7 +63,7 @@ class Vehicle {
   std::optional<Autopilot> autopilot_;  // nothing while it starts anew
   std::uint64_t steps_{};
   std::uint64_t boot_step_{};
-  Outbox<Frame> unheard_{1};  // what is said while the link is lost
+  Outbox<mavlink::FrameBuffer> unheard_{1};  // what is said while the link is lost
 };
 
 }  // namespace ponte::sim

@@ -330,11 +330,12 @@ TEST(Vehicle, SendsTheSameBytesForTheSameSeed) {
 TEST(Vehicle, SendsTheSameHoweverLateItIsCalled) {
   Vehicle often{{}};
   Vehicle seldom{{}};
-  Outbox<Frame> frames{1000};
+  Outbox<mavlink::FrameBuffer> frames{1000};
   std::vector<std::byte> expected;
   std::vector<std::byte> late;
   const auto append = [](std::vector<std::byte>& to) {
-    return [&to](const Frame& frame) { to.insert(to.end(), frame.bytes().begin(), frame.bytes().end()); };
+    return
+        [&to](const mavlink::FrameBuffer& frame) { to.insert(to.end(), frame.bytes().begin(), frame.bytes().end()); };
   };
   while (often.next_deadline() <= Timestamp{seconds{20}}) {
     often.on_tick(often.next_deadline(), frames);
@@ -349,7 +350,7 @@ TEST(Vehicle, SendsTheSameHoweverLateItIsCalled) {
 
 TEST(Vehicle, LetsAnHourGoBy) {
   Vehicle vehicle{{}};
-  Outbox<Frame> out{Vehicle::frames_per_step};
+  Outbox<mavlink::FrameBuffer> out{Vehicle::frames_per_step};
   vehicle.on_tick(Timestamp{hours{1}}, out);
   EXPECT_EQ(vehicle.steps(), 180'000U);
   EXPECT_EQ(vehicle.next_deadline(), Timestamp{hours{1} + Airframe::step_length});

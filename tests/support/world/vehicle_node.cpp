@@ -23,7 +23,7 @@ void VehicleNode::on_frame(const mavlink::FrameView& frame, const mavlink::Messa
 }
 
 void VehicleNode::speak(Sender& out) {
-  outbox_.drain([&](const sim::Frame& frame) { out.send_to_all(frame.bytes()); });
+  outbox_.drain([&](const mavlink::FrameBuffer& frame) { out.send_to_all(frame.bytes()); });
 }
 
 }  // namespace ponte::world

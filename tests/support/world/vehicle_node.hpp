@@ -25,7 +25,7 @@ class VehicleNode final : public Participant, private mavlink::FrameSink {
   void speak(Sender& out);
 
   sim::Vehicle vehicle_;
-  Outbox<sim::Frame> outbox_{2 * sim::Vehicle::frames_per_step};
+  Outbox<mavlink::FrameBuffer> outbox_{2 * sim::Vehicle::frames_per_step};
   std::deque<mavlink::Parser> parsers_;  // by port
   Timestamp now_{};
 };
