@@ -67,7 +67,6 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
 
 void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<mavlink::FrameBuffer>& out) {
   auto speaker = speaker_to(out);
-  take_over_parameters();
   failsafes_.step(now - boot_, navigation_.has_position() || !navigation_.ever_had_position(), flight_, airframe,
                   facts_);
   flight_.step(now - boot_, airframe, facts_);
@@ -176,6 +175,7 @@ void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airfram
     return;
   }
   on_message(now, frame, call);
+  take_over_parameters();
   tell_mode(call.speaker);
   take_over_plans(call.speaker);
 }
