@@ -56,7 +56,7 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       sender_{config.version, config.system, config.component},
       text_numbers_{config.personality},
       rates_{telemetry_rows(config.personality, config.version)},
-      parameters_{config.personality, memory.parameters},
+      parameters_{config.personality, memory.parameters, config.line_rate},
       missions_{config.personality, memory.missions},
       gimbal_{has_gimbal(config.personality, memory.parameters)},
       virtual_files_{memory.missions, memory.parameters},
