@@ -49,12 +49,25 @@ Result<CommandId, CommandError> CommandClient::request(Timestamp now, const Comm
   return id;
 }
 
-void CommandClient::cancel(Timestamp now, CommandId request, Voice& voice, Outbox<CommandFact>& facts) {
+void CommandClient::cancel(Timestamp now, CommandId request, Voice& voice) {
   const auto found = std::ranges::find(requests_, request, &Request::id);
   if (found == requests_.end() || found->state == State::cancelling || found->state == State::refused) return;
-  if (found->state == State::waits) return finish(*found, Kind::cancelled, facts);
+  const bool was_sent = found->state != State::waits;
   found->state = State::cancelling;
-  send_cancel(now, *found, voice);
+  found->deadline = now;
+  if (was_sent) send_cancel(now, *found, voice);
+}
+
+void CommandClient::withdraw(Timestamp now, CommandId request) {
+  const auto found = std::ranges::find(requests_, request, &Request::id);
+  if (found == requests_.end()) return;
+  found->is_withdrawn = true;
+  if (found->state == State::waits) {
+    requests_.erase(found);
+    return;
+  }
+  found->end = now + times_.late;
+  found->deadline = std::min(found->deadline, now + times_.late);
 }
 
 std::vector<CommandClient::Request>::iterator CommandClient::find(std::uint16_t number) {
@@ -155,14 +168,17 @@ void CommandClient::on_answer(Timestamp now, const mavlink::FrameView& frame, Vo
   switch (answer.result) {
     case messages::MAV_RESULT_IN_PROGRESS:
       if (request.state == State::cancelling) return;
-      if (request.state != State::in_progress) request.end = now + times_.running;
+      if (request.state != State::in_progress && !request.is_withdrawn) request.end = now + times_.running;
       request.state = State::in_progress;
       request.deadline = std::min(now + times_.progress, request.end);
-      return tell(request, Kind::progress, facts);
+      if (!request.is_withdrawn) tell(request, Kind::progress, facts);
+      return;
     case messages::MAV_RESULT_ACCEPTED: finish(request, Kind::accepted, facts); break;
     case messages::MAV_RESULT_CANCELLED: finish(request, Kind::cancelled, facts); break;
     default:
-      if (request.state != State::cancelling && try_otherwise(now, request, answer.result, voice)) return;
+      if (request.state != State::cancelling && !request.is_withdrawn &&
+          try_otherwise(now, request, answer.result, voice))
+        return;
       if (has_a_reason(answer.result)) {
         request.state = State::refused;
         request.deadline = now + times_.reason_after;
@@ -220,10 +236,11 @@ void CommandClient::on_tick(Timestamp now, Voice& voice, Outbox<CommandFact>& fa
 void CommandClient::on_silence(Timestamp now, Request& request, Voice& voice, Outbox<CommandFact>& facts) {
   switch (request.state) {
     case State::asked:
-      if (request.attempts < times_.attempts && may_be_repeated(request.command, peer_.stack))
+      if (!request.is_withdrawn && request.attempts < times_.attempts && may_be_repeated(request.command, peer_.stack))
         return send(now, request, voice);
       return finish(request, Kind::no_answer, facts);
     case State::cancelling:
+      if (request.attempts == 0) return finish(request, Kind::cancelled, facts);
       if (request.cancels < times_.cancel_attempts) return send_cancel(now, request, voice);
       return finish(request, Kind::no_answer, facts);
     case State::refused: return finish(request, Kind::refused, facts);
@@ -268,7 +285,7 @@ void CommandClient::tell(const Request& request, Kind kind, Outbox<CommandFact>&
 }
 
 void CommandClient::finish(Request& request, Kind kind, Outbox<CommandFact>& facts) {
-  tell(request, kind, facts);
+  if (!request.is_withdrawn) tell(request, kind, facts);
   requests_.erase(requests_.begin() + (&request - requests_.data()));
 }
 

@@ -19,7 +19,7 @@ namespace ponte::autopilot {
 /// Names one request of a command for as long as the program runs.
 using CommandId = Id<struct CommandIdTag, std::uint32_t>;
 
-/// What became of a request. Each ends in exactly one fact that is final.
+/// What became of a request. Each that is not withdrawn ends in exactly one fact that is final.
 struct CommandFact {
   enum class Kind : std::uint8_t {
     progress,   ///< not final: it is being done
@@ -79,9 +79,11 @@ class CommandClient {
 
   /// Sends the command, or lets it wait for others of its number.
   Result<CommandId, CommandError> request(Timestamp now, const Command& command, Voice& voice);
-  /// The command shall not be done any more. One that waits is over at once; the vehicle is asked to stop another one,
+  /// The command shall not be done any more. One that waits is not sent; the vehicle is asked to stop another one,
   /// which not all can. The final fact says what came of it. What has ended already is left alone.
-  void cancel(Timestamp now, CommandId request, Voice& voice, Outbox<CommandFact>& facts);
+  void cancel(Timestamp now, CommandId request, Voice& voice);
+  /// Nobody wants to know any more what becomes of it: no more copies are sent, and no fact is told.
+  void withdraw(Timestamp now, CommandId request);
 
   /// Any frame with the right checksum; those of others are passed over.
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<CommandFact>& facts);
@@ -108,6 +110,7 @@ class CommandClient {
     std::uint8_t cancels{};
     bool was_recast{};
     bool was_reframed{};
+    bool is_withdrawn{};
     mavlink::autopilots::CommandAck answer{};  // of a refusal
   };
   /// What has been going on under one command number.

@@ -266,7 +266,7 @@ TEST(CommandClient, CancelsWhatIsInProgress) {
   Bench bench;
   const auto id = bench.ask(start, calibrate);
   bench.answer(start + 10ms, calibrate, messages::MAV_RESULT_IN_PROGRESS);
-  bench.client.cancel(start + 20ms, id, bench.station.voice(), bench.facts);
+  bench.client.cancel(start + 20ms, id, bench.station.voice());
   EXPECT_THAT(bench.station.take<messages::CommandCancel>(),
               ElementsAre(messages::CommandCancel{1, 1, calibrate.number}));
   bench.answer(start + 30ms, calibrate, messages::MAV_RESULT_CANCELLED);
@@ -276,7 +276,7 @@ TEST(CommandClient, CancelsWhatIsInProgress) {
 TEST(CommandClient, AsksThreeTimesToCancelAndThenDoesNotKnow) {
   Bench bench;
   const auto id = bench.ask(start, calibrate);
-  bench.client.cancel(start, id, bench.station.voice(), bench.facts);
+  bench.client.cancel(start, id, bench.station.voice());
   bench.run_until(start + 1h);
   EXPECT_THAT(bench.station.take<messages::CommandCancel>(), SizeIs(3));
   EXPECT_THAT(bench.kinds(), ElementsAre(Kind::no_answer));
@@ -287,9 +287,23 @@ TEST(CommandClient, CancelsWhatWasNotSentWithoutAWord) {
   bench.ask(start, arm);
   const auto second = bench.ask(start, disarm);
   bench.station.take<messages::CommandLong>();
-  bench.client.cancel(start, second, bench.station.voice(), bench.facts);
+  bench.client.cancel(start, second, bench.station.voice());
+  bench.tick(start);
   EXPECT_TRUE(bench.station.is_silent());
   EXPECT_THAT(testing::take(bench.facts), ElementsAre(Field(&CommandFact::request, second)));
+}
+
+TEST(CommandClient, SendsAndTellsNoMoreOfWhatIsWithdrawn) {
+  Bench bench;
+  const auto first = bench.ask(start, arm);
+  const auto second = bench.ask(start, disarm);
+  bench.client.withdraw(start, first);
+  bench.run_until(start + 1h);
+  EXPECT_THAT(testing::take(bench.facts), ElementsAre(Field(&CommandFact::request, second)));
+  const auto sent = bench.station.take<messages::CommandLong>();
+  ASSERT_THAT(sent, SizeIs(6));
+  EXPECT_EQ(sent[0].param1, 1);
+  EXPECT_EQ(sent[1].param1, 0) << "no more copies of the first";
 }
 
 TEST(CommandClient, EndsEverythingWhenTheVehicleStartsAnew) {
