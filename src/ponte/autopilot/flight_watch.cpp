@@ -43,6 +43,10 @@ bool FlightWatch::has_mode(std::uint32_t custom_mode, Timestamp since) const {
   return heartbeat_at_ && *heartbeat_at_ > since && custom_mode_ == custom_mode;
 }
 
+bool FlightWatch::has_other_mode(std::uint32_t custom_mode, Timestamp since) const {
+  return heartbeat_at_ && *heartbeat_at_ > since && custom_mode_ != custom_mode;
+}
+
 bool FlightWatch::is_armed(bool armed, Timestamp since) const {
   return heartbeat_at_ && *heartbeat_at_ > since && armed_ == armed;
 }

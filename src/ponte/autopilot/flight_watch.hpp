@@ -9,8 +9,8 @@
 
 namespace ponte::autopilot {
 
-/// What one vehicle last said of its flight, for those who wait for an effect. All of it is asked since a time that they
-/// give: what was said before a wish says nothing of what became of the wish.
+/// What one vehicle last said of its flight, for those who wait for an effect. All of it is asked since a time that
+/// they give: what was said before a wish says nothing of what became of the wish.
 class FlightWatch {
  public:
   explicit FlightWatch(const Peer& peer) : peer_{peer} {}
@@ -23,6 +23,7 @@ class FlightWatch {
   /// A HEARTBEAT with a valid mode has come.
   [[nodiscard]] bool is_heard() const { return heartbeat_at_.has_value(); }
   [[nodiscard]] bool has_mode(std::uint32_t custom_mode, Timestamp since) const;
+  [[nodiscard]] bool has_other_mode(std::uint32_t custom_mode, Timestamp since) const;
   [[nodiscard]] bool is_armed(bool armed, Timestamp since) const;
   /// EXTENDED_SYS_STATE says so, or it is higher than where it was last seen disarmed by `off_the_ground`.
   [[nodiscard]] bool is_in_the_air(Timestamp since) const;

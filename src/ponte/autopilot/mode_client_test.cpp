@@ -1,10 +1,7 @@
 #include "ponte/autopilot/mode_client.hpp"
 
-#include "ponte/autopilot/test_station.hpp"
-#include "ponte/mavlink/autopilots/enums.hpp"
-#include "ponte/mavlink/autopilots/extended_sys_state.hpp"
+#include "ponte/autopilot/test_commands.hpp"
 #include "ponte/mavlink/autopilots/global_position_int.hpp"
-#include "ponte/mavlink/autopilots/heartbeat.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
 
 #include <gmock/gmock.h>
@@ -24,63 +21,29 @@ using testing::start;
 using vehicle::ModeKind;
 using Kind = ModeFact::Kind;
 
-/// The client with its commands, and the vehicle whose part the test plays.
-class Bench {
+class Bench : public testing::CommandBench {
  public:
-  explicit Bench(Stack stack, mavlink::Version version = mavlink::Version::v2)
-      : station{version}, commands{{testing::vehicle_system, testing::autopilot_component, stack}} {}
+  using CommandBench::CommandBench;
 
-  template <mavlink::Message M>
-  void hear(Timestamp now, const M& message) {
-    const testing::TestFrame frame{message, testing::vehicle_system, testing::autopilot_component, mavlink::Version::v2,
-                                   sequence_++};
-    commands.on_message(now, frame.view(), station.voice(), answers_);
-    pass_on(now);
-    modes.on_message(now, frame.view(), station.voice(), facts_);
-  }
-  void heartbeat(Timestamp now, std::uint32_t custom_mode, bool armed) {
-    unsigned base_mode = messages::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
-    if (armed) base_mode |= messages::MAV_MODE_FLAG_SAFETY_ARMED;
-    hear(now, messages::Heartbeat{.base_mode = static_cast<std::uint8_t>(base_mode), .custom_mode = custom_mode});
-  }
-  void landed_state(Timestamp now, unsigned state) {
-    hear(now, messages::ExtendedSysState{.landed_state = static_cast<std::uint8_t>(state)});
-  }
-  void answer(Timestamp now, unsigned command, unsigned result = messages::MAV_RESULT_ACCEPTED) {
-    hear(now, messages::CommandAck{.command = static_cast<std::uint16_t>(command),
-                                   .result = static_cast<std::uint8_t>(result)});
-  }
   void run_until(Timestamp end) {
     const auto next = [this] {
       const auto one = commands.next_deadline(), other = modes.next_deadline();
       return one && other ? std::min(one, other) : one ? one : other;
     };
+    pass_on(end);
     for (auto now = next(); now && *now <= end; now = next()) {
-      commands.on_tick(*now, station.voice(), answers_);
+      commands.on_tick(*now, station.voice(), answers);
       pass_on(*now);
-      modes.on_tick(*now, facts_);
+      modes.on_tick(*now, mode_facts);
     }
   }
-  std::vector<ModeFact> told() { return testing::take(facts_); }
+  std::vector<ModeFact> told() { return testing::take(mode_facts); }
   std::vector<messages::CommandLong> sent() { return station.take<messages::CommandLong>(); }
   /// The number of the one command that has been sent, or 0.
   unsigned sent_command() {
     const auto all = sent();
     return all.size() == 1 ? all[0].command : 0U;
   }
-
-  testing::Station station;
-  CommandClient commands;
-  ModeClient modes{commands};
-
- private:
-  void pass_on(Timestamp now) {
-    for (const auto& fact : testing::take(answers_)) modes.on_answer(now, fact, station.voice(), facts_);
-  }
-
-  Outbox<CommandFact> answers_{64};
-  Outbox<ModeFact> facts_{64};
-  std::uint8_t sequence_{};
 };
 
 constexpr unsigned set_mode = messages::MAV_CMD_DO_SET_MODE;

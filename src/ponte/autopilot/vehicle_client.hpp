@@ -1,16 +1,17 @@
 #pragma once
 
 #include "ponte/autopilot/command_client.hpp"
+#include "ponte/autopilot/guided_flight.hpp"
 #include "ponte/autopilot/mode_client.hpp"
+#include "ponte/autopilot/setpoint_stream.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <variant>
 
 namespace ponte::autopilot {
 
 /// What the services of one vehicle have to tell.
-using VehicleFact = std::variant<CommandFact, ModeFact>;
+using VehicleFact = std::variant<CommandFact, ModeFact, GuidedFact, StreamFact>;
 
 /// All services of one vehicle, so that they need not be called one by one. Requests are made of each service itself;
 /// what becomes of them is told here. Give it every frame that comes from the vehicle, and the time.
@@ -31,14 +32,21 @@ class VehicleClient {
   [[nodiscard]] const Peer& peer() const { return commands_.peer(); }
   [[nodiscard]] CommandClient& commands() { return commands_; }
   [[nodiscard]] ModeClient& modes() { return modes_; }
+  [[nodiscard]] GuidedFlight& guided() { return guided_; }
+  [[nodiscard]] SetpointStream& stream() { return stream_; }
 
  private:
   void pass_on(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
 
   CommandClient commands_;
   ModeClient modes_;
-  Outbox<CommandFact> command_facts_;  // of one call
+  GuidedFlight guided_;
+  SetpointStream stream_;
+  // Of one call; empty from one to the next.
+  Outbox<CommandFact> command_facts_;
   Outbox<ModeFact> mode_facts_;
+  Outbox<GuidedFact> guided_facts_;
+  Outbox<StreamFact> stream_facts_;
 };
 
 }  // namespace ponte::autopilot

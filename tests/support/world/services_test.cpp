@@ -128,6 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Services, EachVehicle,
                            return vehicle.param.type == sim::AirframeType::plane ? "Plane" : "Copter";
                          });
 
+constexpr float no_such_item = 999;
+
 struct Totals {
   int worlds{};
   int requests{};
@@ -199,6 +201,8 @@ class CommandWorld {
         Command{.number = messages::MAV_CMD_DO_SET_HOME, .param1 = 1},
         Command{.number = messages::MAV_CMD_RUN_PREARM_CHECKS},
         Command{.number = 42424},
+        Command{.number = messages::MAV_CMD_DO_SET_MISSION_CURRENT, .param1 = 1},
+        Command{.number = messages::MAV_CMD_DO_SET_MISSION_CURRENT, .param1 = no_such_item},
         Command{.number = messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, .param1 = 1},
         Command{.number = messages::MAV_CMD_DO_REPOSITION,
                 .x = -30.069,
@@ -247,6 +251,11 @@ class CommandWorld {
     for (const auto& fact : field_.station.facts_of<CommandFact>()) {
       if (fact.request != asked.id || !fact.is_final()) continue;
       ++finals;
+      const bool must_be_denied = asked.command.param1 == no_such_item;
+      if (asked.command.number == messages::MAV_CMD_DO_SET_MISSION_CURRENT && fact.result != 0 && !must_be_denied)
+        throw BrokenProperty{fmt::format("request {} got the answer to another", asked.id.value)};
+      if (fact.kind == CommandFact::Kind::accepted && must_be_denied)
+        throw BrokenProperty{fmt::format("request {} got the answer to another", asked.id.value)};
       if (fact.attempts > 1 && !autopilot::may_be_repeated(asked.command, field_.client().peer().stack))
         throw BrokenProperty{fmt::format("command {} was sent {} times", asked.command.number, fact.attempts)};
     }
