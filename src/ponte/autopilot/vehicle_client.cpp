@@ -49,7 +49,7 @@ std::optional<Timestamp> VehicleClient::next_deadline() const {
 }
 
 void VehicleClient::on_reboot(Timestamp now, Outbox<VehicleFact>& facts) {
-  stream_.on_reboot(stream_facts_);
+  stream_.on_reboot(now, stream_facts_);
   guided_.on_reboot(now, guided_facts_);
   modes_.on_reboot(now, mode_facts_);
   commands_.on_reboot(command_facts_);

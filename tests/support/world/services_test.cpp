@@ -18,9 +18,13 @@ namespace messages = mavlink::autopilots;
 using autopilot::Command;
 using autopilot::CommandFact;
 using autopilot::CommandId;
+using autopilot::GuidedFact;
+using autopilot::GuidedRequestId;
 using autopilot::ModeFact;
 using autopilot::ModeRequestId;
 using autopilot::ModeWish;
+using autopilot::Motion;
+using autopilot::StreamFact;
 using std::chrono::milliseconds;
 using std::chrono::minutes;
 using std::chrono::seconds;
@@ -41,10 +45,13 @@ class Field {
   [[nodiscard]] const sim::AirframeState& truth() const { return vehicle.vehicle().truth(); }
   autopilot::VehicleClient& client() { return *station.client(); }
   /// What became of a wish; a broken property if nothing does.
-  ModeFact outcome(ModeRequestId request) {
-    std::optional<ModeFact> found;
+  ModeFact outcome(ModeRequestId request) { return outcome_of<ModeFact>(request); }
+  GuidedFact outcome(GuidedRequestId request) { return outcome_of<GuidedFact>(request); }
+  template <class Fact>
+  Fact outcome_of(auto request) {
+    std::optional<Fact> found;
     const auto is_told = [&] {
-      for (const auto& fact : station.facts_of<ModeFact>())
+      for (const auto& fact : station.facts_of<Fact>())
         if (fact.request == request) found = fact;
       return found.has_value();
     };
@@ -72,23 +79,78 @@ class EachVehicle : public testing::TestWithParam<sim::VehicleConfig> {
     field.world.run_for(seconds{12});
   }
   [[nodiscard]] bool is_plane() const { return GetParam().type == sim::AirframeType::plane; }
+  void take_off() {
+    auto voice = field.station.voice();
+    const auto height = is_plane() ? std::nullopt : std::optional{Metres{20}};
+    const auto up = field.client().modes().take_off(field.world.now(), height, voice);
+    ASSERT_TRUE(up);
+    ASSERT_EQ(field.outcome(*up).kind, ModeFact::Kind::done);
+    field.world.run_for(seconds{30});
+  }
+  /// From where it was switched on.
+  [[nodiscard]] sim::NorthEastDown place() const { return offset_between(GetParam().start, field.truth().position); }
 
   Field field{1, GetParam(), {.delay = milliseconds{20}}};
 };
 
 TEST_P(EachVehicle, TakesOffAndReturns) {
-  auto voice = field.station.voice();
-  const auto height = is_plane() ? std::nullopt : std::optional{Metres{20}};
-  const auto up = field.client().modes().take_off(field.world.now(), height, voice);
-  ASSERT_TRUE(up) << int(up.error());
-  EXPECT_EQ(field.outcome(*up).kind, ModeFact::Kind::done);
+  take_off();
   EXPECT_TRUE(field.truth().airborne);
-  field.world.run_for(seconds{30});
-  const auto above = field.truth().position.altitude_msl - GetParam().start.altitude_msl;
-  EXPECT_NEAR(above.value, height.value_or(above).value, 1);
-
+  if (!is_plane()) {
+    EXPECT_NEAR(place().down, -20, 1);
+  }
+  auto voice = field.station.voice();
   const auto home = field.client().modes().change_mode(field.world.now(), ModeKind::return_home, voice);
   EXPECT_EQ(field.outcome(*home).kind, ModeFact::Kind::done);
+}
+
+TEST_P(EachVehicle, GoesWhereItIsGuidedTo) {
+  take_off();
+  auto voice = field.station.voice();
+  auto& guided = field.client().guided();
+  const auto target = displaced(GetParam().start, {200, 100, 0});
+  const auto there = guided.go_to(field.world.now(), {target.latitude, target.longitude, {Metres{60}}}, {}, voice);
+  ASSERT_TRUE(there);
+  EXPECT_EQ(field.outcome(*there).kind, GuidedFact::Kind::done);
+  field.world.run_for(seconds{90});
+  const double radius = is_plane() ? 150 : 2;
+  EXPECT_NEAR(place().north, 200, radius);
+  EXPECT_NEAR(place().east, 100, radius);
+  EXPECT_NEAR(place().down, -60, 3);
+
+  const auto higher = guided.change_altitude(field.world.now(), {Metres{80}}, voice);
+  ASSERT_TRUE(higher);
+  EXPECT_EQ(field.outcome(*higher).kind, GuidedFact::Kind::done);
+  field.world.run_for(seconds{40});
+  EXPECT_NEAR(place().down, -80, 3);
+  EXPECT_NEAR(place().north, 200, radius);
+
+  const auto faster = guided.change_speed(field.world.now(), MetresPerSecond{is_plane() ? 25.0 : 12.0}, voice);
+  ASSERT_TRUE(faster);
+  EXPECT_EQ(field.outcome(*faster).kind, GuidedFact::Kind::done);
+}
+
+TEST_P(EachVehicle, IsSteeredAndStopsWhenNobodySteers) {
+  take_off();
+  auto voice = field.station.voice();
+  auto& stream = field.client().stream();
+  const Motion northward{.north = MetresPerSecond{4}};
+  if (is_plane()) {
+    EXPECT_FALSE(stream.steer(field.world.now(), northward, voice));
+    return;
+  }
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(stream.steer(field.world.now(), northward, voice));
+    field.world.run_for(milliseconds{500});
+  }
+  EXPECT_NEAR(field.truth().velocity.north, 4, 0.5);
+  EXPECT_GT(place().north, 50);
+  field.world.run_for(seconds{10});
+  EXPECT_NEAR(field.truth().velocity.north, 0, 0.2);
+  const auto told = field.station.facts_of<StreamFact>();
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].kind, StreamFact::Kind::steers);
+  EXPECT_EQ(told[1].kind, StreamFact::Kind::held);
 }
 
 TEST_P(EachVehicle, BeginsItsMissionFromTheGroundAndInTheAir) {
@@ -184,7 +246,7 @@ class CommandWorld {
     constexpr std::array kinds{ModeKind::manual,      ModeKind::mission, ModeKind::hold,
                                ModeKind::return_home, ModeKind::guided,  ModeKind::land};
     const auto height = config_.type == sim::AirframeType::plane ? std::nullopt : std::optional{Metres{15}};
-    switch (random_.below(8)) {
+    switch (random_.below(11)) {
       case 0: return keep(modes.arm(now, voice), true);
       case 1: return keep(modes.disarm(now, voice), false);
       case 2: return keep(modes.take_off(now, height, voice), true);
@@ -193,6 +255,8 @@ class CommandWorld {
         const auto kind = kinds[random_.below(kinds.size())];
         return keep(modes.change_mode(now, kind, voice), false, kind);
       }
+      case 5: return guide(voice);
+      case 6: static_cast<void>(field_.client().stream().steer(now, {.north = MetresPerSecond{3}}, voice)); return;
       default: break;
     }
     constexpr std::array commands{
@@ -217,12 +281,23 @@ class CommandWorld {
     if (random_.chance(0.2)) field_.client().commands().cancel(now, *request, voice);
   }
 
-  [[nodiscard]] std::size_t requests() const { return wishes_.size() + commands_.size(); }
+  void guide(autopilot::Voice& voice) {
+    const auto now = field_.world.now();
+    auto& guided = field_.client().guided();
+    const auto target = displaced(config_.start, {between(random_, -90, 90), between(random_, -90, 90), 0});
+    const bool is_far = random_.chance(0.5);
+    const auto request = is_far ? guided.go_to(now, {target.latitude, target.longitude, {Metres{30}}}, {}, voice)
+                                : guided.change_altitude(now, {Metres{25}}, voice);
+    if (request) guided_.push_back(*request);
+  }
+
+  [[nodiscard]] std::size_t requests() const { return wishes_.size() + commands_.size() + guided_.size(); }
   [[nodiscard]] std::size_t answers() const {
     std::size_t count = 0;
     for (const auto& each : field_.station.facts()) {
       const auto* command = std::get_if<CommandFact>(&each.fact);
-      if (command == nullptr || command->is_final()) ++count;
+      const bool is_progress = command != nullptr && !command->is_final();
+      if (!is_progress && !std::holds_alternative<StreamFact>(each.fact)) ++count;
     }
     return count;
   }
@@ -231,6 +306,7 @@ class CommandWorld {
     if (answers() != requests()) throw BrokenProperty{fmt::format("{} requests and {} answers", requests(), answers())};
     for (const auto& each : commands_) judge(each);
     for (const auto& each : wishes_) judge(each);
+    for (const auto& each : guided_) judge(each);
     const auto may_arm = static_cast<int>(std::ranges::count(wishes_, true, &Wish::arms));
     if (field_.witness.times_armed() > may_arm)
       throw BrokenProperty{fmt::format("armed {} times for {} wishes", field_.witness.times_armed(), may_arm)};
@@ -260,6 +336,11 @@ class CommandWorld {
         throw BrokenProperty{fmt::format("command {} was sent {} times", asked.command.number, fact.attempts)};
     }
     if (finals != 1) throw BrokenProperty{fmt::format("{} answers to command {}", finals, asked.command.number)};
+  }
+
+  void judge(GuidedRequestId wish) {
+    const auto finals = std::ranges::count(field_.station.facts_of<GuidedFact>(), wish, &GuidedFact::request);
+    if (finals != 1) throw BrokenProperty{fmt::format("{} outcomes of leading {}", finals, wish.value)};
   }
 
   struct Wish {
@@ -298,6 +379,7 @@ class CommandWorld {
   Field field_;
   std::vector<Asked> commands_;
   std::vector<Wish> wishes_;
+  std::vector<GuidedRequestId> guided_;
 };
 
 TEST(ServicesSeeded, AnswerEveryCommandOnceAndTruly) {
