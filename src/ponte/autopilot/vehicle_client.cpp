@@ -18,6 +18,8 @@ VehicleClient::VehicleClient(const Peer& peer)
       modes_{commands_},
       guided_{commands_, modes_},
       stream_{peer, modes_},
+      time_sync_{peer},
+      link_quality_{peer},
       command_facts_{facts_of_one_call},
       mode_facts_{facts_of_one_call},
       guided_facts_{facts_of_one_call},
@@ -25,6 +27,8 @@ VehicleClient::VehicleClient(const Peer& peer)
 
 void VehicleClient::on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice,
                                Outbox<VehicleFact>& facts) {
+  link_quality_.on_message(now, frame);
+  time_sync_.on_message(now, frame);
   commands_.on_message(now, frame, voice, command_facts_);
   modes_.on_message(now, frame, voice, mode_facts_);
   guided_.on_tick(now, guided_facts_);
@@ -37,18 +41,21 @@ void VehicleClient::on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& fa
   modes_.on_tick(now, mode_facts_);
   guided_.on_tick(now, guided_facts_);
   stream_.on_tick(now, voice, stream_facts_);
+  time_sync_.on_tick(now, voice);
   pass_on(now, voice, facts);
 }
 
-std::optional<Timestamp> VehicleClient::next_deadline() const {
-  std::optional<Timestamp> next;
+Timestamp VehicleClient::next_deadline() const {
+  auto next = time_sync_.next_deadline();
   for (const auto& each :
        {commands_.next_deadline(), modes_.next_deadline(), guided_.next_deadline(), stream_.next_deadline()})
-    if (each && (!next || *each < *next)) next = each;
+    if (each && *each < next) next = *each;
   return next;
 }
 
 void VehicleClient::on_reboot(Timestamp now, Outbox<VehicleFact>& facts) {
+  link_quality_.on_reboot();
+  time_sync_.on_reboot();
   stream_.on_reboot(now, stream_facts_);
   guided_.on_reboot(now, guided_facts_);
   modes_.on_reboot(now, mode_facts_);

@@ -2,8 +2,10 @@
 
 #include "ponte/autopilot/command_client.hpp"
 #include "ponte/autopilot/guided_flight.hpp"
+#include "ponte/autopilot/link_quality.hpp"
 #include "ponte/autopilot/mode_client.hpp"
 #include "ponte/autopilot/setpoint_stream.hpp"
+#include "ponte/autopilot/time_sync.hpp"
 
 #include <optional>
 #include <variant>
@@ -25,7 +27,7 @@ class VehicleClient {
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<VehicleFact>& facts);
   void on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
   /// When `on_tick` next has something to do.
-  [[nodiscard]] std::optional<Timestamp> next_deadline() const;
+  [[nodiscard]] Timestamp next_deadline() const;
   /// The vehicle has started anew: what it was asked is over, and what was known of it is known no more.
   void on_reboot(Timestamp now, Outbox<VehicleFact>& facts);
 
@@ -34,6 +36,8 @@ class VehicleClient {
   [[nodiscard]] ModeClient& modes() { return modes_; }
   [[nodiscard]] GuidedFlight& guided() { return guided_; }
   [[nodiscard]] SetpointStream& stream() { return stream_; }
+  [[nodiscard]] const TimeSync& time_sync() const { return time_sync_; }
+  [[nodiscard]] const LinkQuality& link_quality() const { return link_quality_; }
 
  private:
   void pass_on(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
@@ -42,6 +46,8 @@ class VehicleClient {
   ModeClient modes_;
   GuidedFlight guided_;
   SetpointStream stream_;
+  TimeSync time_sync_;
+  LinkQuality link_quality_;
   // Of one call; empty from one to the next.
   Outbox<CommandFact> command_facts_;
   Outbox<ModeFact> mode_facts_;
