@@ -1,6 +1,8 @@
 #pragma once
 
+#include "ponte/autopilot/camera_client.hpp"
 #include "ponte/autopilot/command_client.hpp"
+#include "ponte/autopilot/gimbal_client.hpp"
 #include "ponte/autopilot/guided_flight.hpp"
 #include "ponte/autopilot/link_quality.hpp"
 #include "ponte/autopilot/mode_client.hpp"
@@ -13,7 +15,7 @@
 namespace ponte::autopilot {
 
 /// What the services of one vehicle have to tell.
-using VehicleFact = std::variant<CommandFact, ModeFact, GuidedFact, StreamFact>;
+using VehicleFact = std::variant<CommandFact, ModeFact, GuidedFact, StreamFact, GimbalFact, CameraFact>;
 
 /// All services of one vehicle, so that they need not be called one by one. Requests are made of each service itself;
 /// what becomes of them is told here. Give it every frame that comes from the vehicle, and the time.
@@ -36,16 +38,21 @@ class VehicleClient {
   [[nodiscard]] ModeClient& modes() { return modes_; }
   [[nodiscard]] GuidedFlight& guided() { return guided_; }
   [[nodiscard]] SetpointStream& stream() { return stream_; }
+  [[nodiscard]] GimbalClient& gimbal() { return gimbal_; }
+  [[nodiscard]] CameraClient& camera() { return camera_; }
   [[nodiscard]] const TimeSync& time_sync() const { return time_sync_; }
   [[nodiscard]] const LinkQuality& link_quality() const { return link_quality_; }
 
  private:
   void pass_on(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
+  void tell_the_rest(Outbox<VehicleFact>& facts);
 
   CommandClient commands_;
   ModeClient modes_;
   GuidedFlight guided_;
   SetpointStream stream_;
+  GimbalClient gimbal_;
+  CameraClient camera_;
   TimeSync time_sync_;
   LinkQuality link_quality_;
   // Of one call; empty from one to the next.
@@ -53,6 +60,8 @@ class VehicleClient {
   Outbox<ModeFact> mode_facts_;
   Outbox<GuidedFact> guided_facts_;
   Outbox<StreamFact> stream_facts_;
+  Outbox<GimbalFact> gimbal_facts_;
+  Outbox<CameraFact> camera_facts_;
 };
 
 }  // namespace ponte::autopilot
