@@ -192,9 +192,9 @@ TEST(GimbalClient, KnowsWhereItPoints) {
   EXPECT_EQ(bench.gimbal.attitude()->frame, YawFrame::north) << "locked, and no frame is named";
   bench.hear(start, messages::MountOrientation{.pitch = -20, .yaw = 10});
   EXPECT_NEAR(bench.gimbal.attitude()->pitch.value, radians_from_degrees(-20).value, 1e-6);
-  bench.gimbal.on_message(start,
-                          testing::TestFrame{messages::MountOrientation{.pitch = 5}, mavlink::SystemId{2}}.view(),
-                          bench.station.voice(), *std::make_unique<Outbox<GimbalFact>>(1));
+  Outbox<GimbalFact> facts{1};
+  const testing::TestFrame of_another{messages::MountOrientation{.pitch = 5}, mavlink::SystemId{2}};
+  bench.gimbal.on_message(start, of_another.view(), bench.station.voice(), facts);
   EXPECT_NEAR(bench.gimbal.attitude()->pitch.value, radians_from_degrees(-20).value, 1e-6)
       << "that was another vehicle";
 }

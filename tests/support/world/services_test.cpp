@@ -4,6 +4,7 @@
 #include "support/world/witness.hpp"
 
 #include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/mavlink/autopilots/gimbal_device_attitude_status.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,6 +19,8 @@ namespace messages = mavlink::autopilots;
 using autopilot::Command;
 using autopilot::CommandFact;
 using autopilot::CommandId;
+using autopilot::GimbalFact;
+using autopilot::GimbalRequestId;
 using autopilot::GuidedFact;
 using autopilot::GuidedRequestId;
 using autopilot::ModeFact;
@@ -46,6 +49,7 @@ class Field {
   autopilot::VehicleClient& client() { return *station.client(); }
   /// What became of a wish; a broken property if nothing does.
   ModeFact outcome(ModeRequestId request) { return outcome_of<ModeFact>(request); }
+  GimbalFact outcome(GimbalRequestId request) { return outcome_of<GimbalFact>(request); }
   GuidedFact outcome(GuidedRequestId request) { return outcome_of<GuidedFact>(request); }
   template <class Fact>
   Fact outcome_of(auto request) {
@@ -66,8 +70,15 @@ class Field {
   std::size_t link;
 };
 
+sim::ParameterSetting with_gimbal(sim::Personality personality) {
+  if (personality == sim::Personality::px4) return {"MNT_MODE_IN", 4};
+  return {"MNT1_TYPE", 1};
+}
+
 sim::VehicleConfig quiet(sim::Personality personality, sim::AirframeType type = sim::AirframeType::copter) {
-  return {.personality = personality, .type = type, .fly_square = false};
+  sim::VehicleConfig config{.personality = personality, .type = type, .fly_square = false};
+  config.parameters = {with_gimbal(personality)};
+  return config;
 }
 
 /// A vehicle of each kind, ready to be armed, on a good cable.
@@ -181,6 +192,40 @@ TEST_P(EachVehicle, ArmsAndDisarmsAndSaysWhyItDoesNot) {
   EXPECT_FALSE(refused.reason.empty());
 }
 
+TEST_P(EachVehicle, PointsItsGimbalForWhoeverIsInControl) {
+  auto voice = field.station.voice();
+  auto& gimbal = field.client().gimbal();
+  const auto now = [this] { return field.world.now(); };
+  EXPECT_EQ(field.outcome(*gimbal.find_manager(now(), voice)).kind, GimbalFact::Kind::done);
+  const autopilot::Pointing pointing{radians_from_degrees(-40), radians_from_degrees(70), autopilot::YawFrame::nose};
+  EXPECT_FALSE(gimbal.point(now(), pointing, voice)) << "nobody is in control yet";
+  EXPECT_EQ(field.outcome(*gimbal.take_control(now(), voice)).kind, GimbalFact::Kind::done);
+  EXPECT_EQ(field.outcome(*gimbal.point(now(), pointing, voice)).kind, GimbalFact::Kind::done);
+  static_cast<void>(field.client().commands().request(
+      now(),
+      {.number = messages::MAV_CMD_SET_MESSAGE_INTERVAL,
+       .param1 = static_cast<float>(messages::GimbalDeviceAttitudeStatus::info.id.value),
+       .param2 = 200'000},
+      voice));
+  field.world.run_for(seconds{5});
+  ASSERT_TRUE(gimbal.attitude());
+  EXPECT_NEAR(gimbal.attitude()->pitch.value, pointing.pitch->value, 0.02);
+  EXPECT_NEAR(gimbal.attitude()->yaw.value, pointing.yaw->value, 0.02);
+  EXPECT_EQ(field.outcome(*gimbal.release_control(now(), voice)).kind, GimbalFact::Kind::done);
+  EXPECT_FALSE(gimbal.point(now(), pointing, voice));
+}
+
+TEST_P(EachVehicle, KnowsItsClockAndHowGoodTheLinkIs) {
+  const auto& client = field.client();
+  field.world.run_for(seconds{20});
+  const auto reading = client.time_sync().best();
+  ASSERT_TRUE(reading);
+  EXPECT_GE(reading->round_trip, milliseconds{40});
+  EXPECT_LE(reading->round_trip, milliseconds{60});
+  EXPECT_LE(std::chrono::abs(reading->offset), reading->round_trip / 2) << "it was switched on when this began";
+  EXPECT_EQ(client.link_quality().loss(field.world.now()), Percent{0});
+}
+
 INSTANTIATE_TEST_SUITE_P(Services, EachVehicle,
                          testing::Values(quiet(sim::Personality::ardupilot),
                                          quiet(sim::Personality::ardupilot, sim::AirframeType::plane),
@@ -202,7 +247,7 @@ struct Totals {
 class CommandWorld {
  public:
   explicit CommandWorld(std::uint64_t seed)
-      : random_{seed}, config_{random_vehicle(random_)}, field_{seed, config_, random_radio(random_)} {
+      : random_{seed}, config_{with_gimbal_on(random_vehicle(random_))}, field_{seed, config_, random_radio(random_)} {
     load_mission(field_.vehicle.vehicle(), field_.world.now(), random_mission(random_, config_));
     plan_faults();
   }
@@ -221,11 +266,17 @@ class CommandWorld {
   }
 
  private:
+  static sim::VehicleConfig with_gimbal_on(sim::VehicleConfig config) {
+    config.parameters = {with_gimbal(config.personality)};
+    return config;
+  }
+
   void plan_faults() {
     for (auto count = random_.below(3); count > 0; --count) {
       const auto at = seconds{5 + random_.below(60)};
       if (random_.chance(0.3)) {
         field_.vehicle.vehicle().inject({sim::FaultKind::reboot, at, std::nullopt});
+        starts_anew_ = true;
         continue;
       }
       const auto lasts = seconds{1 + random_.below(20)};
@@ -246,7 +297,7 @@ class CommandWorld {
     constexpr std::array kinds{ModeKind::manual,      ModeKind::mission, ModeKind::hold,
                                ModeKind::return_home, ModeKind::guided,  ModeKind::land};
     const auto height = config_.type == sim::AirframeType::plane ? std::nullopt : std::optional{Metres{15}};
-    switch (random_.below(11)) {
+    switch (random_.below(12)) {
       case 0: return keep(modes.arm(now, voice), true);
       case 1: return keep(modes.disarm(now, voice), false);
       case 2: return keep(modes.take_off(now, height, voice), true);
@@ -257,6 +308,7 @@ class CommandWorld {
       }
       case 5: return guide(voice);
       case 6: static_cast<void>(field_.client().stream().steer(now, {.north = MetresPerSecond{3}}, voice)); return;
+      case 7: return point();
       default: break;
     }
     constexpr std::array commands{
@@ -278,6 +330,7 @@ class CommandWorld {
     const auto request = field_.client().commands().request(now, command, voice);
     if (!request) return;
     commands_.push_back({*request, command});
+    if (command.number == messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN) starts_anew_ = true;
     if (random_.chance(0.2)) field_.client().commands().cancel(now, *request, voice);
   }
 
@@ -291,7 +344,20 @@ class CommandWorld {
     if (request) guided_.push_back(*request);
   }
 
-  [[nodiscard]] std::size_t requests() const { return wishes_.size() + commands_.size() + guided_.size(); }
+  void point() {
+    auto voice = field_.station.voice();
+    const auto now = field_.world.now();
+    auto& gimbal = field_.client().gimbal();
+    auto request = gimbal.point(now, {.pitch = Radians{-0.5}}, voice);
+    if (!request)
+      request = gimbal.kind() == autopilot::GimbalClient::Kind::none ? gimbal.find_manager(now, voice)
+                                                                     : gimbal.take_control(now, voice);
+    if (request) pointed_.push_back(*request);
+  }
+
+  [[nodiscard]] std::size_t requests() const {
+    return wishes_.size() + commands_.size() + guided_.size() + pointed_.size();
+  }
   [[nodiscard]] std::size_t answers() const {
     std::size_t count = 0;
     for (const auto& each : field_.station.facts()) {
@@ -306,7 +372,9 @@ class CommandWorld {
     if (answers() != requests()) throw BrokenProperty{fmt::format("{} requests and {} answers", requests(), answers())};
     for (const auto& each : commands_) judge(each);
     for (const auto& each : wishes_) judge(each);
-    for (const auto& each : guided_) judge(each);
+    for (const auto& each : guided_) judge<GuidedFact>(each);
+    for (const auto& each : pointed_) judge<GimbalFact>(each);
+    judge_clock();
     const auto may_arm = static_cast<int>(std::ranges::count(wishes_, true, &Wish::arms));
     if (field_.witness.times_armed() > may_arm)
       throw BrokenProperty{fmt::format("armed {} times for {} wishes", field_.witness.times_armed(), may_arm)};
@@ -338,9 +406,18 @@ class CommandWorld {
     if (finals != 1) throw BrokenProperty{fmt::format("{} answers to command {}", finals, asked.command.number)};
   }
 
-  void judge(GuidedRequestId wish) {
-    const auto finals = std::ranges::count(field_.station.facts_of<GuidedFact>(), wish, &GuidedFact::request);
-    if (finals != 1) throw BrokenProperty{fmt::format("{} outcomes of leading {}", finals, wish.value)};
+  template <class Fact>
+  void judge(decltype(Fact::request) wish) {
+    const auto finals = std::ranges::count(field_.station.facts_of<Fact>(), wish, &Fact::request);
+    if (finals != 1) throw BrokenProperty{fmt::format("{} outcomes of wish {}", finals, wish.value)};
+  }
+
+  /// The vehicle was switched on when the world began, and its clock begins with each start.
+  void judge_clock() {
+    const auto reading = field_.client().time_sync().best();
+    if (!reading || starts_anew_) return;
+    if (std::chrono::abs(reading->offset) > reading->round_trip / 2)
+      throw BrokenProperty{fmt::format("the clock is wrong by {} ns", reading->offset.count())};
   }
 
   struct Wish {
@@ -380,6 +457,8 @@ class CommandWorld {
   std::vector<Asked> commands_;
   std::vector<Wish> wishes_;
   std::vector<GuidedRequestId> guided_;
+  std::vector<GimbalRequestId> pointed_;
+  bool starts_anew_{};
 };
 
 TEST(ServicesSeeded, AnswerEveryCommandOnceAndTruly) {
