@@ -56,11 +56,13 @@ std::vector<Exchange> exchanges_in(const Dialogue& dialogue) {
   std::vector<Exchange> exchanges;
   bool is_open = false;
   for (const auto& entry : dialogue.entries()) {
-    if (mavlink::carries<messages::CommandLong>(entry.frame) || mavlink::carries<messages::CommandInt>(entry.frame)) {
-      is_open = entry.is_of_station() && command_in(entry.frame).has_value();
-      if (is_open) exchanges.push_back({.question = &entry});
+    if (entry.is_of_station()) {
+      const bool is_command =
+          mavlink::carries<messages::CommandLong>(entry.frame) || mavlink::carries<messages::CommandInt>(entry.frame);
+      if (is_command) is_open = command_in(entry.frame).has_value();
+      if (is_command && is_open) exchanges.push_back({.question = &entry});
+      continue;
     }
-    if (entry.is_of_station()) continue;
     if (!is_open) continue;
     exchanges.back().answers.push_back(&entry);
     if (!mavlink::carries<messages::CommandAck>(entry.frame)) continue;

@@ -1,7 +1,12 @@
 #include "ponte/autopilot/vehicle_client.hpp"
 
+#include "ponte/autopilot/stream_requests.hpp"
+#include "ponte/mavlink/autopilots/enums.hpp"
+
 namespace ponte::autopilot {
 namespace {
+
+namespace messages = mavlink::autopilots;
 
 /// More than one call can bring about.
 constexpr std::size_t facts_of_one_call = 2 * CommandClient::capacity;
@@ -49,6 +54,13 @@ void VehicleClient::on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& fa
   gimbal_.on_tick(now, gimbal_facts_);
   time_sync_.on_tick(now, voice);
   pass_on(now, voice, facts);
+}
+
+void VehicleClient::on_streams_asked(Timestamp now) {
+  for (std::size_t i = 0; i < message_rates_for(peer().stack).size(); ++i)
+    commands_.on_sent(now, messages::MAV_CMD_SET_MESSAGE_INTERVAL);
+  for (std::size_t i = 0; i < single_messages_for(peer().stack).size(); ++i)
+    commands_.on_sent(now, messages::MAV_CMD_REQUEST_MESSAGE);
 }
 
 Timestamp VehicleClient::next_deadline() const {

@@ -28,6 +28,8 @@ class VehicleClient {
   /// Any frame with the right checksum; those of others are passed over. `voice` is of the link to the vehicle.
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<VehicleFact>& facts);
   void on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
+  /// The session has asked for streams (`FleetSession::Vehicle::last_request`), by commands whose answers are not ours.
+  void on_streams_asked(Timestamp now);
   /// When `on_tick` next has something to do.
   [[nodiscard]] Timestamp next_deadline() const;
   /// The vehicle has started anew: what it was asked is over, and what was known of it is known no more.

@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(Services, EachVehicle,
                            return vehicle.param.type == sim::AirframeType::plane ? "Plane" : "Copter";
                          });
 
-constexpr float no_such_item = 999;
+constexpr float no_such_number = 60'999;  // of a mission item, or of a message
 
 struct Totals {
   int worlds{};
@@ -250,6 +250,7 @@ class CommandWorld {
       : random_{seed}, config_{with_gimbal_on(random_vehicle(random_))}, field_{seed, config_, random_radio(random_)} {
     load_mission(field_.vehicle.vehicle(), field_.world.now(), random_mission(random_, config_));
     plan_faults();
+    if (random_.chance(0.5)) invite_rival();
   }
 
   void live(Totals& totals) {
@@ -281,6 +282,23 @@ class CommandWorld {
       }
       const auto lasts = seconds{1 + random_.below(20)};
       field_.world.at(Timestamp{at}, [this, end = Timestamp{at + lasts}] { field_.world.cut(field_.link, end); });
+    }
+  }
+
+  /// Another station that asks for the same, and whose answers are heard here.
+  void invite_rival() {
+    auto& rival = field_.world.add<StationNode>("rival", autopilot::FleetConfig{.system = mavlink::SystemId{251}});
+    field_.world.connect(field_.vehicle, rival, {.delay = milliseconds{10}});
+    for (int i = 0; i < 60; ++i) {
+      const auto item = random_.chance(0.5) ? no_such_number : 1;
+      const bool is_item = random_.chance(0.5);
+      const auto number = is_item ? messages::MAV_CMD_DO_SET_MISSION_CURRENT : messages::MAV_CMD_REQUEST_MESSAGE;
+      field_.world.at(Timestamp{milliseconds{random_.below(90'000)}}, [this, &rival, item, number] {
+        if (rival.client() == nullptr) return;
+        auto voice = rival.voice();
+        static_cast<void>(rival.client()->commands().request(
+            field_.world.now(), {.number = static_cast<std::uint16_t>(number), .param1 = item}, voice));
+      });
     }
   }
 
@@ -318,7 +336,9 @@ class CommandWorld {
         Command{.number = messages::MAV_CMD_RUN_PREARM_CHECKS},
         Command{.number = 42424},
         Command{.number = messages::MAV_CMD_DO_SET_MISSION_CURRENT, .param1 = 1},
-        Command{.number = messages::MAV_CMD_DO_SET_MISSION_CURRENT, .param1 = no_such_item},
+        Command{.number = messages::MAV_CMD_DO_SET_MISSION_CURRENT, .param1 = no_such_number},
+        Command{.number = messages::MAV_CMD_REQUEST_MESSAGE, .param1 = 0},
+        Command{.number = messages::MAV_CMD_REQUEST_MESSAGE, .param1 = no_such_number},
         Command{.number = messages::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, .param1 = 1},
         Command{.number = messages::MAV_CMD_DO_REPOSITION,
                 .x = -30.069,
@@ -395,15 +415,20 @@ class CommandWorld {
     for (const auto& fact : field_.station.facts_of<CommandFact>()) {
       if (fact.request != asked.id || !fact.is_final()) continue;
       ++finals;
-      const bool must_be_denied = asked.command.param1 == no_such_item;
-      if (asked.command.number == messages::MAV_CMD_DO_SET_MISSION_CURRENT && fact.result != 0 && !must_be_denied)
-        throw BrokenProperty{fmt::format("request {} got the answer to another", asked.id.value)};
-      if (fact.kind == CommandFact::Kind::accepted && must_be_denied)
+      const bool must_be_refused = asked.command.param1 == no_such_number;
+      const bool must_be_accepted = is_always_the_same(asked.command.number) && !must_be_refused;
+      const bool is_refused = fact.kind == CommandFact::Kind::refused;
+      if ((must_be_accepted && is_refused) || (must_be_refused && fact.kind == CommandFact::Kind::accepted))
         throw BrokenProperty{fmt::format("request {} got the answer to another", asked.id.value)};
       if (fact.attempts > 1 && !autopilot::may_be_repeated(asked.command, field_.client().peer().stack))
         throw BrokenProperty{fmt::format("command {} was sent {} times", asked.command.number, fact.attempts)};
     }
     if (finals != 1) throw BrokenProperty{fmt::format("{} answers to command {}", finals, asked.command.number)};
+  }
+
+  /// Whatever the vehicle is doing.
+  static bool is_always_the_same(std::uint16_t command) {
+    return command == messages::MAV_CMD_DO_SET_MISSION_CURRENT || command == messages::MAV_CMD_REQUEST_MESSAGE;
   }
 
   template <class Fact>
