@@ -28,6 +28,9 @@ class Voice {
   }
 
   [[nodiscard]] mavlink::Version version() const { return sender_.version(); }
+  // Who speaks.
+  [[nodiscard]] mavlink::SystemId system() const { return sender_.system(); }
+  [[nodiscard]] mavlink::ComponentId component() const { return sender_.component(); }
 
  private:
   mavlink::FrameSender& sender_;

@@ -24,6 +24,8 @@ class FrameSender {
  public:
   FrameSender(Version version, SystemId system, ComponentId component) : header_{version, system, component, 0} {}
 
+  [[nodiscard]] SystemId system() const { return header_.system; }
+  [[nodiscard]] ComponentId component() const { return header_.component; }
   [[nodiscard]] Version version() const { return header_.version; }
   void set_version(Version version) { header_.version = version; }
 
