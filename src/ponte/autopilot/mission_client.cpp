@@ -127,6 +127,7 @@ void MissionClient::on_tick(Timestamp now, Voice& voice, Outbox<MissionFact>& fa
   switch (step_) {
     case Step::idle: return;
     case Step::telling: return tell({.kind = MissionFact::Kind::uploaded, .was_on_board = true}, facts);
+    case Step::beginning_anew: return begin_anew(now, voice, facts);
     case Step::uploading: upload_.on_tick(now, voice); break;
     case Step::reading: download_.on_tick(now, voice); break;
     case Step::clearing:
@@ -141,21 +142,25 @@ std::optional<Timestamp> MissionClient::next_deadline() const {
     case Step::uploading: return upload_.next_deadline();
     case Step::reading: return download_.next_deadline();
     case Step::telling:
+    case Step::beginning_anew:
     case Step::clearing:
     case Step::setting: break;
   }
   return next_try_;
 }
 
-void MissionClient::on_reboot(Timestamp now, Voice& voice) {
+void MissionClient::on_reboot(Timestamp now) {
   for (auto& each : known_) each.is_valid = false;
   was_valid_ = false;
-  if (step_ == Step::uploading || (step_ == Step::reading && changes_plan())) {
-    attempts_ = std::min(attempts_, most_attempts - 1);
-    attempt(now, voice);
-  } else if (step_ == Step::reading) {
-    read_back(now, voice);
-  }
+  if (step_ != Step::uploading && step_ != Step::reading) return;
+  step_ = Step::beginning_anew;
+  next_try_ = now;
+}
+
+void MissionClient::begin_anew(Timestamp now, Voice& voice, Outbox<MissionFact>& facts) {
+  if (!changes_plan()) return read_back(now, voice);
+  if (attempts_ < most_attempts) return attempt(now, voice);
+  fail_with(now, {.failure = MissionFailure::silent, .plan = PlanOnBoard::unknown}, voice, facts);
 }
 
 }  // namespace ponte::autopilot

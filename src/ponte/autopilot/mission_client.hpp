@@ -86,7 +86,7 @@ class MissionClient {
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<MissionFact>& facts);
   void on_tick(Timestamp now, Voice& voice, Outbox<MissionFact>& facts);
   /// The vehicle has started anew: what was known is not known any more, and a transfer begins again.
-  void on_reboot(Timestamp now, Voice& voice);
+  void on_reboot(Timestamp now);
   [[nodiscard]] std::optional<Timestamp> next_deadline() const;
 
   [[nodiscard]] bool is_busy() const { return step_ != Step::idle; }
@@ -94,7 +94,7 @@ class MissionClient {
   [[nodiscard]] const std::vector<WireItem>* plan(PlanType type) const;
 
  private:
-  enum class Step : std::uint8_t { idle, telling, uploading, clearing, reading, setting };
+  enum class Step : std::uint8_t { idle, telling, beginning_anew, uploading, clearing, reading, setting };
   enum class Aim : std::uint8_t { upload, clear, download, set_current };
 
   struct Known {
@@ -112,6 +112,7 @@ class MissionClient {
   void attempt(Timestamp now, Voice& voice);
   void read_back(Timestamp now, Voice& voice);
   void send_request(Timestamp now, Voice& voice);
+  void begin_anew(Timestamp now, Voice& voice, Outbox<MissionFact>& facts);
   void repeat(Timestamp now, Voice& voice, Outbox<MissionFact>& facts);
 
   // mission_client_messages.cpp

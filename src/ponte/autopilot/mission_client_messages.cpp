@@ -163,13 +163,13 @@ void MissionClient::examine(Timestamp now, Voice& voice, Outbox<MissionFact>& fa
   tell({.kind = aim_ == Aim::upload ? Kind::uploaded : aim_ == Aim::clear ? Kind::cleared : Kind::downloaded}, facts);
 }
 
-/// Puts the plan back that was on board before, if this is known and the vehicle still answers.
+/// Puts the plan back that was on board before, if this is known, and the vehicle answers and has another one now.
 void MissionClient::fail_with(Timestamp now, MissionFact failure, Voice& voice, Outbox<MissionFact>& facts) {
   failure.kind = MissionFact::Kind::failed;
   if (failure_) return tell(*failure_, facts);  // this was the attempt to put it back
   if (failure.plan == PlanOnBoard::unchanged && changes_plan()) known().is_valid = was_valid_;
-  const bool is_worth_it =
-      changes_plan() && was_valid_ && failure.plan == PlanOnBoard::unknown && failure.failure != MissionFailure::silent;
+  const bool is_heard = failure.failure == MissionFailure::refused || failure.failure == MissionFailure::differs;
+  const bool is_worth_it = is_heard && changes_plan() && was_valid_ && failure.plan == PlanOnBoard::unknown;
   if (!is_worth_it) return tell(failure, facts);
   failure_ = failure;
   wanted_ = known().sent;

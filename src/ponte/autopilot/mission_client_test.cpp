@@ -157,11 +157,27 @@ TEST_F(MissionClientTest, SendsItAfterAReboot) {
   use(Stack::px4);
   upload({waypoint(10)});
   complete({waypoint(10)});
-  client_->on_reboot(now_, voice_);
+  client_->on_reboot(now_);
   EXPECT_EQ(client_->plan(PlanType::mission), nullptr);
   (void)said();
   upload({waypoint(10)});
   EXPECT_THAT(said(), ElementsAre("count 1"));
+}
+
+TEST_F(MissionClientTest, BeginsAnewAfterAReboot) {
+  use(Stack::px4);
+  upload({waypoint(10), waypoint(20)});
+  ask_for(0);
+  client_->on_reboot(now_);
+  (void)said();
+  wait({});
+  EXPECT_THAT(said(), ElementsAre("count 2"));
+  for (int reboot = 2; reboot <= MissionClient::most_attempts; ++reboot) {
+    EXPECT_THAT(facts(), IsEmpty());
+    client_->on_reboot(now_);
+    wait({});
+  }
+  EXPECT_EQ(facts().at(0).failure, MissionFailure::silent);
 }
 
 TEST_F(MissionClientTest, SendsItAfterAnotherStationHasUploaded) {

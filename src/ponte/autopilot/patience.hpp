@@ -15,7 +15,7 @@ class Patience {
   struct Limits {
     Duration first{std::chrono::milliseconds{500}};  ///< before anything is measured; MAVSDK's timer
     Duration least{std::chrono::milliseconds{100}};
-    Duration most{std::chrono::seconds{3}};
+    Duration most{std::chrono::milliseconds{1500}};  ///< but for what ran out; the protocol's timer (mavlink.md 3.1)
   };
 
   explicit Patience(const Limits& limits) : limits_{limits}, base_{limits.first} {}
@@ -35,7 +35,7 @@ class Patience {
   }
   void ran_out() { factor_ = std::min(2 * factor_, 4); }
 
-  [[nodiscard]] Duration current() const { return factor_ * base_; }
+  [[nodiscard]] Duration current() const { return std::min(factor_ * base_, 2 * limits_.most); }
   /// The mean round trip; a repeated request that comes sooner was sent before our answer arrived.
   [[nodiscard]] Duration round_trip() const { return mean_.value_or(limits_.least); }
 

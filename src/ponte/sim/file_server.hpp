@@ -1,7 +1,8 @@
 #pragma once
 
 #include "ponte/core/time.hpp"
-#include "ponte/sim/ftp_message.hpp"
+#include "ponte/mavlink/autopilots/file_transfer_protocol.hpp"
+#include "ponte/mavlink/ftp_message.hpp"
 #include "ponte/sim/speaker.hpp"
 #include "ponte/sim/virtual_files.hpp"
 
@@ -12,6 +13,10 @@
 #include <vector>
 
 namespace ponte::sim {
+
+using mavlink::FtpError;
+using mavlink::FtpMessage;
+using mavlink::FtpOpcode;
 
 /// ArduPilot's server of MAVFTP, for the files that it makes up. A session ends when it is not used for three seconds;
 /// what was written takes effect when it is closed.

@@ -196,7 +196,7 @@ TEST(TransfersSeeded, EndOnceAndTellTheTruth) {
   run_worlds(world_count(300), "transfers_test", [&](std::uint64_t seed) { TransferWorld{seed}.happen(totals); });
   fmt::print("{} worlds, {} requests, {} uploaded, {} failed, {} faults; failures by reason: {}\n", totals.worlds,
              totals.requests, totals.uploaded, totals.failed, totals.faults, fmt::join(totals.failures, " "));
-  EXPECT_GT(totals.uploaded, totals.failed);
+  EXPECT_LE(10 * totals.failed, totals.requests + 100) << "most radios are good enough";
 }
 
 }  // namespace
