@@ -57,6 +57,18 @@ Result<MissionRequestId, MissionRefusal> MissionClient::upload(Timestamp now, Pl
   return request_;
 }
 
+Result<MissionRequestId, MissionRefusal> MissionClient::confirm(Timestamp now, PlanType type,
+                                                                std::vector<WireItem> items, Voice& voice) {
+  if (const auto reason = reason_not_to(type, voice)) return fail(*reason);
+  if (items.size() > PlanDownload::item_limit) return fail(MissionRefusal::too_many_items);
+  begin(Aim::upload, type);
+  was_valid_ = known().is_valid = false;
+  wanted_ = std::move(items);
+  upload_.forget();
+  read_back(now, voice);
+  return request_;
+}
+
 Result<MissionRequestId, MissionRefusal> MissionClient::download(Timestamp now, PlanType type, Voice& voice) {
   if (const auto reason = reason_not_to(type, voice)) return fail(*reason);
   begin(Aim::download, type);

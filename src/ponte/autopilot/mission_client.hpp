@@ -76,6 +76,10 @@ class MissionClient {
   /// No items: the plan is cleared by uploading nothing, which both autopilots allow also where they refuse `clear`.
   Result<MissionRequestId, MissionRefusal> upload(Timestamp now, PlanType type, std::vector<WireItem> items,
                                                   Voice& voice);
+  /// As `upload`, of a plan that was sent in another way (`pack_plan`): it is read back first, and uploaded only if it
+  /// is not on board.
+  Result<MissionRequestId, MissionRefusal> confirm(Timestamp now, PlanType type, std::vector<WireItem> items,
+                                                   Voice& voice);
   /// Then `plan` has it.
   Result<MissionRequestId, MissionRefusal> download(Timestamp now, PlanType type, Voice& voice);
   Result<MissionRequestId, MissionRefusal> clear(Timestamp now, PlanType type, Voice& voice);

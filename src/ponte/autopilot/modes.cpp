@@ -148,6 +148,26 @@ std::span<const ModeRow> modes_of(Stack stack) {
   return {};
 }
 
+std::optional<std::uint32_t> custom_mode_named(Stack stack, std::string_view name) {
+  const auto rows = modes_of(stack);
+  const auto found = std::ranges::find(rows, name, &ModeRow::name);
+  if (found == rows.end()) return std::nullopt;
+  return found->custom_mode;
+}
+
+std::optional<std::uint32_t> custom_mode_for(Stack stack, vehicle::ModeKind kind) {
+  if (kind == none || kind == other) return std::nullopt;
+  // Where the first one of its kind is not the one that is meant.
+  if (stack == Stack::ardupilot_plane && kind == hold) return custom_mode_named(stack, "LOITER");
+  if (stack == Stack::ardupilot_plane && kind == guided) return custom_mode_named(stack, "GUIDED");
+  if (stack == Stack::ardupilot_plane && kind == land) return custom_mode_named(stack, "AUTOLAND");
+  if (stack == Stack::px4 && kind == hold) return custom_mode_named(stack, "AUTO.LOITER");
+  const auto rows = modes_of(stack);
+  const auto found = std::ranges::find(rows, kind, &ModeRow::kind);
+  if (found == rows.end()) return std::nullopt;
+  return found->custom_mode;
+}
+
 vehicle::Mode mode_from(Stack stack, std::uint32_t custom_mode) {
   vehicle::Mode mode{.kind = other, .variant = variant_of(stack, custom_mode), .name = {}};
   const auto rows = modes_of(stack);

@@ -3,6 +3,7 @@
 #include "ponte/vehicle/vocabulary.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,12 @@ struct ModeRow {
 
 /// The modes of a stack, by custom_mode ascending; empty for `unknown`.
 [[nodiscard]] std::span<const ModeRow> modes_of(Stack stack);
+
+/// What a stack has for a kind of mode, and does without a pilot where it has several; nothing if it has none, or for
+/// `none` and `other`. A plane of ArduPilot lands in AUTOLAND, which it has since 4.7.
+[[nodiscard]] std::optional<std::uint32_t> custom_mode_for(Stack stack, vehicle::ModeKind kind);
+/// The mode with this name, e.g. "RTL"; nothing if there is none.
+[[nodiscard]] std::optional<std::uint32_t> custom_mode_named(Stack stack, std::string_view name);
 
 /// A number that no table has is a mode of kind `other` named "mode N".
 [[nodiscard]] vehicle::Mode mode_from(Stack stack, std::uint32_t custom_mode);

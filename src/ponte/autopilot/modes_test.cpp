@@ -125,6 +125,30 @@ TEST(Modes, OfPx4) {
                             {0x000B0000, "ALTITUDE_CRUISE", other, 11}});
 }
 
+TEST(Modes, OfAKindAreThoseThatNeedNoPilot) {
+  const auto name = [](Stack stack, vehicle::ModeKind kind) {
+    const auto mode = custom_mode_for(stack, kind);
+    return mode ? std::string{mode_from(stack, *mode).name.view()} : "none";
+  };
+  EXPECT_EQ(name(Stack::ardupilot_copter, hold), "LOITER");
+  EXPECT_EQ(name(Stack::ardupilot_copter, guided), "GUIDED");
+  EXPECT_EQ(name(Stack::ardupilot_copter, take_off), "none");
+  EXPECT_EQ(name(Stack::ardupilot_plane, hold), "LOITER");
+  EXPECT_EQ(name(Stack::ardupilot_plane, guided), "GUIDED");
+  EXPECT_EQ(name(Stack::ardupilot_plane, land), "AUTOLAND");
+  EXPECT_EQ(name(Stack::px4, hold), "AUTO.LOITER");
+  EXPECT_EQ(name(Stack::px4, guided), "OFFBOARD");
+  EXPECT_EQ(name(Stack::px4, mission), "AUTO.MISSION");
+  EXPECT_EQ(name(Stack::px4, other), "none");
+  EXPECT_EQ(name(Stack::unknown, hold), "none");
+}
+
+TEST(Modes, AreFoundByName) {
+  EXPECT_EQ(custom_mode_named(Stack::ardupilot_copter, "RTL"), 6);
+  EXPECT_EQ(custom_mode_named(Stack::px4, "AUTO.RTL"), 0x0504'0000);
+  EXPECT_EQ(custom_mode_named(Stack::px4, "RTL"), std::nullopt);
+}
+
 TEST(Modes, AreNamedByNumberWhereNoTableHasThem) {
   EXPECT_EQ(mode_from(Stack::ardupilot_copter, 8), (Mode{other, 8, "mode 8"sv}));
   EXPECT_EQ(mode_from(Stack::ardupilot_plane, 9), (Mode{other, 9, "mode 9"sv}));

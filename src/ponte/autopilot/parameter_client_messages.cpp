@@ -51,6 +51,7 @@ void ParameterClient::on_value(Timestamp now, const messages::ParamValue& value,
 
 /// A list whose length has changed is another one: what was at its places may be elsewhere now.
 void ParameterClient::keep(const Parameter& parameter, std::uint16_t index, std::uint16_t count) {
+  const auto is_it = [&](const Entry& each) { return each.is_known && each.parameter.name == parameter.name; };
   const bool is_fetching = step_ == Step::listing || step_ == Step::filling;
   if (index < count && is_fetching) {
     if (entries_.size() != count) {
@@ -62,9 +63,9 @@ void ParameterClient::keep(const Parameter& parameter, std::uint16_t index, std:
     auto& entry = entries_[index];
     if (!entry.is_known) ++known_;
     entry = {.is_known = true, .parameter = parameter};
+    std::erase_if(others_, is_it);
     return;
   }
-  const auto is_it = [&](const Entry& each) { return each.is_known && each.parameter.name == parameter.name; };
   for (auto* entries : {&entries_, &others_}) {
     if (const auto found = std::ranges::find_if(*entries, is_it); found != entries->end()) {
       found->parameter = parameter;

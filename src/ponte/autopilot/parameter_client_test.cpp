@@ -150,8 +150,12 @@ TEST_F(ParameterClientTest, DoesNotTakeWhatIsToldUnaskedForTheList) {
   use(Stack::ardupilot_copter);
   (void)client_->fetch_all(now_, voice_);
   tell("STAT_RUNTIME", 1, no_index, 1335);
-  tell("A", 1, 0, 1);
-  EXPECT_EQ(facts().at(0).total, 1);
+  tell("A", 1, no_index, 2);
+  tell("A", 2, 0, 2);
+  tell("STAT_RUNTIME", 1, 1, 2);
+  EXPECT_EQ(facts().at(0).total, 2);
+  EXPECT_THAT(client_->known(), SizeIs(2));
+  EXPECT_EQ(client_->find("A")->value, 2);
 }
 
 TEST_F(ParameterClientTest, AsksPx4OnlyForItsHashWhenItKnowsTheList) {

@@ -52,6 +52,8 @@ class PlanUpload {
 
   /// Announces the plan; `items` stay where they are until it has ended.
   void begin(Timestamp now, const PlanRoute& route, std::span<const WireItem> items, Voice& voice);
+  /// There is nothing that the vehicle could ask for.
+  void forget() { items_ = {}; }
   /// The vehicle asks us for an item. Also after the end: a late copy of our announcement may have begun it again.
   void on_request(Timestamp now, std::uint16_t item, Voice& voice);
   /// `result` is a MAV_MISSION_RESULT.

@@ -20,8 +20,8 @@ class TestFrame {
   template <mavlink::Message M>
   explicit TestFrame(const M& message, mavlink::SystemId system = vehicle_system,
                      mavlink::ComponentId component = autopilot_component,
-                     mavlink::Version version = mavlink::Version::v2) {
-    const auto size = mavlink::encode(message, {.version = version, .system = system, .component = component}, bytes_);
+                     mavlink::Version version = mavlink::Version::v2, std::uint8_t sequence = 0) {
+    const auto size = mavlink::encode(message, {version, system, component, sequence}, bytes_);
     PONTE_ASSERT(size.has_value());
     const auto view = mavlink::parse_frame(Bytes{bytes_}.first(*size));
     PONTE_ASSERT(view.has_value());
