@@ -37,7 +37,7 @@ struct Parameter {
 [[nodiscard]] bool is_value_of(ParameterType type, double value);
 
 /// The value in the float of PARAM_VALUE. ArduPilot turns every number into a float; PX4 puts the bytes of integers
-/// there. Neither sets the capability that would tell, so that the stack decides (mavlink.md 3.3).
+/// there. Neither sets the capability that would tell, so that the stack decides.
 [[nodiscard]] double decode_parameter(Stack stack, ParameterType type, float wire);
 /// The inverse, of a value of this type.
 [[nodiscard]] float encode_parameter(Stack stack, ParameterType type, double value);

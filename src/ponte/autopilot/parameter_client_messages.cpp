@@ -118,9 +118,10 @@ void ParameterClient::on_wanted(Timestamp now, const Parameter& parameter, Voice
     is_repeated_ = false;
     return ask(now, voice);
   }
-  const double expected =
-      decode_parameter(peer_.stack, target_.type, encode_parameter(peer_.stack, target_.type, target_.value));
-  if (parameter.type == target_.type && parameter.value == expected)
+  // What was believed of its type was wrong if the vehicle tells another one.
+  if (is_value_of(parameter.type, target_.value)) target_.type = parameter.type;
+  const float wire = encode_parameter(peer_.stack, target_.type, target_.value);
+  if (parameter.value == decode_parameter(peer_.stack, target_.type, wire))
     return tell({.kind = Kind::set, .parameter = parameter}, facts);
   if (is_repeated_ && ++answers_ >= most_answers)
     tell({.kind = Kind::failed, .parameter = parameter, .failure = ParameterFailure::differs}, facts);

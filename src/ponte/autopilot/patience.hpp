@@ -15,7 +15,7 @@ class Patience {
   struct Limits {
     Duration first{std::chrono::milliseconds{500}};  ///< before anything is measured; MAVSDK's timer
     Duration least{std::chrono::milliseconds{100}};
-    Duration most{std::chrono::milliseconds{1500}};  ///< but for what ran out; the protocol's timer (mavlink.md 3.1)
+    Duration most{std::chrono::milliseconds{1500}};  ///< but for what ran out; the timer that the protocol recommends
   };
 
   explicit Patience(const Limits& limits) : limits_{limits}, base_{limits.first} {}

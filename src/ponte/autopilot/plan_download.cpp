@@ -13,7 +13,7 @@ namespace messages = mavlink::autopilots;
 
 namespace {
 
-/// Of silence, after which PX4 ends a download (mission.md 4.1); ArduPilot remembers none.
+/// Of silence, after which PX4 ends a download; ArduPilot remembers none.
 constexpr Duration vehicle_forgets = std::chrono::seconds{5};
 /// A plan that changes more often while it is fetched is given up.
 constexpr int most_starts = 10;

@@ -21,7 +21,7 @@ struct TransferTimes {
   /// Of silence of the vehicle, after which a transfer is given up.
   Duration silence_limit{std::chrono::seconds{30}};
   /// Beyond it, for each item: more than 30 % of loss in both directions take of ArduPilot's second between two
-  /// requests (mission.md 5.1).
+  /// requests.
   Duration per_item{std::chrono::seconds{5}};
   /// Before a vehicle is spoken to again that is occupied, or has ended a transfer.
   Duration pause{std::chrono::seconds{1}};

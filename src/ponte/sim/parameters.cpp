@@ -2,9 +2,12 @@
 
 #include "ponte/core/assert.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace ponte::sim {
 namespace {
@@ -28,10 +31,24 @@ double to_type(double value, ParameterType type) {
   return value;
 }
 
+/// "MORE_0000" and so on, which stay where they are.
+std::string_view name_of_another(std::size_t number) {
+  static const auto names = [] {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < Parameters::most_more; ++i) result.push_back(fmt::format("MORE_{:04}", i));
+    return result;
+  }();
+  return names[number];
+}
+
 }  // namespace
 
-Parameters::Parameters(Personality personality, AirframeType type)
-    : table_{parameter_table(personality, type)}, values_(table_.size()) {
+Parameters::Parameters(Personality personality, AirframeType type, std::size_t more)
+    : table_{parameter_table(personality, type)} {
+  PONTE_ASSERT(more <= most_more);
+  for (std::size_t i = 0; i < more; ++i)
+    table_.push_back({name_of_another(i), ParameterType::real32, static_cast<double>(i)});
+  values_.resize(table_.size());
   for (std::size_t i = 0; i < table_.size(); ++i) set(i, table_[i].default_value);
 }
 

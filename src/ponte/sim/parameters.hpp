@@ -28,7 +28,9 @@ struct ParameterInfo {
 /// examined, as on the real ones; that it fits its type is.
 class Parameters {
  public:
-  explicit Parameters(Personality personality, AirframeType type = AirframeType::copter);
+  /// `more` come behind those of the table, at most `most_more`; nothing depends on them.
+  explicit Parameters(Personality personality, AirframeType type = AirframeType::copter, std::size_t more = 0);
+  static constexpr std::size_t most_more = 9999;
 
   [[nodiscard]] std::size_t size() const { return table_.size(); }
   /// The index of the parameter of this name, or nothing.

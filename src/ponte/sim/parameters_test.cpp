@@ -49,5 +49,13 @@ TEST(Parameters, RoundAndLimitToTheType) {
   EXPECT_GT(parameters.value("BATT_LOW_VOLT"), 1e38);
 }
 
+TEST(Parameters, CanBeAsManyAsARealAutopilotHas) {
+  const Parameters few{Personality::px4};
+  Parameters many{Personality::px4, AirframeType::copter, 3};
+  EXPECT_EQ(many.size(), few.size() + 3);
+  EXPECT_EQ(many.find("MORE_0002"), many.size() - 1);
+  EXPECT_EQ(many.value("MORE_0002"), 2);
+}
+
 }  // namespace
 }  // namespace ponte::sim
