@@ -27,6 +27,7 @@ VehicleClient::VehicleClient(const Peer& peer)
       camera_{commands_},
       time_sync_{peer},
       link_quality_{peer},
+      health_{peer},
       command_facts_{facts_of_one_call},
       mode_facts_{facts_of_one_call},
       guided_facts_{facts_of_one_call},
@@ -37,6 +38,7 @@ VehicleClient::VehicleClient(const Peer& peer)
 void VehicleClient::on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice,
                                Outbox<VehicleFact>& facts) {
   link_quality_.on_message(now, frame);
+  health_.on_message(now, frame);
   time_sync_.on_message(now, frame);
   commands_.on_message(now, frame, voice, command_facts_);
   modes_.on_message(now, frame, voice, mode_facts_);
@@ -73,6 +75,7 @@ Timestamp VehicleClient::next_deadline() const {
 
 void VehicleClient::on_reboot(Timestamp now, Outbox<VehicleFact>& facts) {
   link_quality_.on_reboot();
+  health_.on_reboot();
   time_sync_.on_reboot();
   stream_.on_reboot(now, stream_facts_);
   guided_.on_reboot(now, guided_facts_);

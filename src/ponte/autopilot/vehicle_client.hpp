@@ -4,6 +4,7 @@
 #include "ponte/autopilot/command_client.hpp"
 #include "ponte/autopilot/gimbal_client.hpp"
 #include "ponte/autopilot/guided_flight.hpp"
+#include "ponte/autopilot/health.hpp"
 #include "ponte/autopilot/link_quality.hpp"
 #include "ponte/autopilot/mode_client.hpp"
 #include "ponte/autopilot/setpoint_stream.hpp"
@@ -43,6 +44,7 @@ class VehicleClient {
   [[nodiscard]] GimbalClient& gimbal() { return gimbal_; }
   [[nodiscard]] CameraClient& camera() { return camera_; }
   [[nodiscard]] const TimeSync& time_sync() const { return time_sync_; }
+  [[nodiscard]] const Health& health() const { return health_; }
   [[nodiscard]] const LinkQuality& link_quality() const { return link_quality_; }
 
  private:
@@ -57,6 +59,7 @@ class VehicleClient {
   CameraClient camera_;
   TimeSync time_sync_;
   LinkQuality link_quality_;
+  Health health_;
   // Of one call; empty from one to the next.
   Outbox<CommandFact> command_facts_;
   Outbox<ModeFact> mode_facts_;
