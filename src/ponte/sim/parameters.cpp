@@ -31,15 +31,15 @@ double to_type(double value, ParameterType type) {
 }  // namespace
 
 Parameters::Parameters(Personality personality, AirframeType type)
-    : table_{parameter_table(personality, type)}, values_(table_.size()) {
-  for (std::size_t i = 0; i < table_.size(); ++i) set(i, table_[i].default_value);
+    : table_{parameter_table(personality, type)}, values_(table_.rows.size()) {
+  for (std::size_t i = 0; i < values_.size(); ++i) set(i, info(i).default_value);
 }
 
 std::optional<std::size_t> Parameters::find(std::string_view name) const {
-  const auto found =
-      std::find_if(table_.begin(), table_.end(), [=](const ParameterInfo& each) { return each.name == name; });
-  if (found == table_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - table_.begin());
+  const auto name_of = [this](std::size_t index) { return info(index).name; };
+  const auto found = std::ranges::lower_bound(table_.by_name, name, {}, name_of);
+  if (found == table_.by_name.end() || name_of(*found) != name) return std::nullopt;
+  return *found;
 }
 
 double Parameters::value(std::string_view name) const {
@@ -49,12 +49,12 @@ double Parameters::value(std::string_view name) const {
 }
 
 double Parameters::default_value(std::size_t index) const {
-  return to_type(table_[index].default_value, table_[index].type);
+  return to_type(info(index).default_value, info(index).type);
 }
 
 void Parameters::set(std::size_t index, double value) {
   PONTE_ASSERT(std::isfinite(value));
-  values_[index] = to_type(value, table_[index].type);
+  values_[index] = to_type(value, info(index).type);
   ++changes_;
 }
 
