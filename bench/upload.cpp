@@ -31,11 +31,9 @@ struct Line {
   std::uint32_t baud;
   double loss;
 
+  [[nodiscard]] std::uint32_t bytes_per_second() const { return baud / 10; }
   [[nodiscard]] world::ChannelConfig channel() const {
-    constexpr std::uint32_t bits_per_byte = 10;
-    // The autopilot waits for its serial line when it sends a list, which the simulated one does not know of.
-    constexpr std::size_t list = 64 * 1024;
-    return {.delay = delay, .loss = loss, .bytes_per_second = baud / bits_per_byte, .fifo_bytes = list};
+    return {.delay = delay, .loss = loss, .bytes_per_second = bytes_per_second()};
   }
 };
 
@@ -44,7 +42,7 @@ class Bench {
  public:
   Bench(std::uint64_t seed, sim::Personality personality, const Line& line)
       : world_{seed, world::Timeline{false}},
-        vehicle_{world_.add<world::VehicleNode>("vehicle", config(personality))} {
+        vehicle_{world_.add<world::VehicleNode>("vehicle", config(personality, line))} {
     world_.run_for(start / 2);
     silence_telemetry();
     station_ = &world_.add<world::StationNode>("station", autopilot::FleetConfig{.ask_for_streams = false});
@@ -71,8 +69,9 @@ class Bench {
   }
 
  private:
-  static sim::VehicleConfig config(sim::Personality personality) {
-    return {.personality = personality, .fly_square = false, .more_parameters = 1200, .mission_items = 1001};
+  static sim::VehicleConfig config(sim::Personality personality, const Line& line) {
+    return {
+        .personality = personality, .fly_square = false, .line_rate = line.bytes_per_second(), .mission_items = 1001};
   }
 
   /// Asks for each message that the vehicle sends by itself to be left out.

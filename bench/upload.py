@@ -3,8 +3,9 @@
 Each of N items costs its bytes on the line, 10 ms of processing, and, where a message is lost, the time until the autopilot
 asks again: t = N * ((49 + 16) bytes / rate + 10 ms + T * P / (1 - P)), with P = 1 - (1 - p)^2 for a loss p each way, and T
 of 1 s for ArduPilot and 250 ms for PX4. Reading back is the same handshake in the other direction, so that an upload that
-has been read back is held against twice the model. Parameters come as a list, 37 bytes each; those that are lost are asked
-for one by one in the model, after the pause of a second that tells the end of the list.
+has been read back is held against twice the model. Parameters come as a list, 37 bytes each, for which the autopilots
+take a third of the line; those that are lost are asked for one by one in the model, after the pause of a second that tells
+the end of the list.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ PARAMETER_BYTES = 37
 REQUEST_BYTES = 32
 PROCESSING = 0.010
 LIST_PAUSE = 1.0
+LIST_SHARE = 3
 ASKS_AGAIN = {"ArduPilot": 1.0, "PX4": 0.25}
 BITS_PER_BYTE = 10
 TARGET = 1.2
@@ -40,7 +42,7 @@ def mission_model(autopilot: str, items: int, baud: int, loss: float) -> float:
 def parameter_model(count: int, baud: int, loss: float) -> float:
     byte = BITS_PER_BYTE / baud
     single = (REQUEST_BYTES + PARAMETER_BYTES) * byte + PROCESSING + LIST_PAUSE * lost(loss)
-    return count * PARAMETER_BYTES * byte + LIST_PAUSE + count * loss * single
+    return count * PARAMETER_BYTES * byte * LIST_SHARE + LIST_PAUSE + count * loss * single
 
 
 def model(case: str) -> float:

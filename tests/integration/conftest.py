@@ -18,6 +18,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "independent"))
 from programs import HANG_LIMIT_S, PONTE_DEFAULT, REPOSITORY, program_from  # noqa: E402
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "once: takes long and does not depend on the compiler; run with the preset dev only")
+
+
 @pytest.fixture(scope="session")
 def repository() -> Path:
     """The root of the repository."""

@@ -17,15 +17,20 @@ SYSTEM = COMPONENT = 1
 
 
 class Station:
-    """Starts the vehicle and hears it first. `loss` of the frames is lost on each way, by the seed."""
+    """Starts the vehicle and hears it first. `loss` of the frames is lost on each way, by the seed. With a key it
+    signs what it sends, and takes nothing else."""
 
     patience_s = 0.03  # for an answer that may have been lost
 
-    def __init__(self, start_ponte: Callable[..., None], *options: str, loss: float = 0, seed: int = 0, v1: bool = False) -> None:
+    def __init__(
+        self, start_ponte: Callable[..., None], *options: str, loss: float = 0, seed: int = 0, v1: bool = False, key: bytes = b""
+    ) -> None:
         self.link = mavutil.mavlink_connection("udpin:127.0.0.1:0", source_system=255, source_component=190)
         port = self.link.port.getsockname()[1]
         start_ponte("sim", "--endpoint", f"udpout://127.0.0.1:{port}", "--quiet", *options)
         self.link.wait_heartbeat(timeout=HANG_LIMIT_S)
+        if key:  # only now, since the first frame may make pymavlink begin anew, without the key
+            self.link.setup_signing(key, sign_outgoing=True)
         self.loss, self.random, self.v1 = loss, random.Random(seed), v1
 
     def send(self, message: Any) -> None:

@@ -44,6 +44,7 @@ def test_there_is_a_recording_of_each_personality() -> None:
     assert {name.split("_")[0] for name in RECORDINGS} == set(OPTIONS)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("name", RECORDINGS)
 def test_it_differs_from_the_real_one_only_as_is_known(
     start_ponte: Callable[..., None], capsys: pytest.CaptureFixture[str], name: str

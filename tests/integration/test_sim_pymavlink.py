@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -19,6 +20,7 @@ def places(items: list[Any]) -> list[tuple[int, int, float]]:
     return [(item.x, item.y, item.z) for item in items]
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("autopilot", AUTOPILOTS)
 def test_a_mission_of_1000_items_arrives_though_a_fifth_is_lost_each_way(start_ponte: StartPonte, autopilot: str) -> None:
     seed = seed_or(1)
@@ -40,6 +42,22 @@ def test_it_speaks_mavlink_1(start_ponte: StartPonte, autopilot: str) -> None:
     station.upload(wanted)
     stored = station.download()
     assert stored[0].get_msgbuf()[0] == 0xFE
+    assert places(stored[1:]) == places(wanted[1:])
+    station.until_position()
+    assert station.command(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == mavlink.MAV_RESULT_ACCEPTED
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_a_signed_link_carries_a_mission_and_commands(start_ponte: StartPonte, tmp_path: Path, autopilot: str) -> None:
+    key_file = tmp_path / "key"
+    key_file.write_text("5a" * 32)
+    key_file.chmod(0o600)
+    signed = ("--mavlink", "2-signed-only", "--signing-key", str(key_file))
+    station = Station(start_ponte, "--autopilot", autopilot, *signed, "--speedup", "10", key=b"\x5a" * 32)
+    wanted = [waypoint(index) for index in range(12)]
+    station.upload(wanted)
+    stored = station.download()
+    assert all(item.get_signed() for item in stored)
     assert places(stored[1:]) == places(wanted[1:])
     station.until_position()
     assert station.command(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == mavlink.MAV_RESULT_ACCEPTED

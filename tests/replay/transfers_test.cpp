@@ -1,5 +1,5 @@
-#include "common/load_file.hpp"
-#include "ponte/autopilot/dialect.hpp"
+#include "replay/dialogue.hpp"
+
 #include "ponte/autopilot/mission_client.hpp"
 #include "ponte/autopilot/parameter_client.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
@@ -12,7 +12,6 @@
 #include "ponte/mavlink/autopilots/param_request_read.hpp"
 #include "ponte/mavlink/autopilots/param_set.hpp"
 #include "ponte/mavlink/codec.hpp"
-#include "ponte/mavlink/tlog.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -34,25 +33,8 @@ using ::testing::IsEmpty;
 
 constexpr mavlink::SystemId vehicle{1};
 
-/// One frame of a recording, with its bytes.
-struct Recorded {
-  std::vector<std::byte> bytes;
-  mavlink::FrameView view;
-};
-
-std::vector<Recorded> recording(std::string_view name) {
-  const auto file = app::load_file(fmt::format("{}/tests/recordings/dialogues/{}.tlog.gz", PONTE_SOURCE_DIR, name));
-  std::vector<Recorded> frames;
-  mavlink::TlogReader reader{file.bytes, dialect};
-  while (const auto part = reader.next()) {
-    const auto* record = std::get_if<mavlink::TlogRecord>(&*part);
-    if (record == nullptr) continue;
-    auto& added = frames.emplace_back();
-    added.bytes.assign(record->frame.whole.begin(), record->frame.whole.end());
-    added.view = mavlink::parse_frame(added.bytes).value();
-  }
-  return frames;
-}
+using replay::Dialogue;
+using Recorded = Dialogue::Entry;
 
 /// Whether the recorded station begins another exchange with this.
 bool opens(const mavlink::FrameView& frame) {
@@ -65,10 +47,11 @@ bool opens(const mavlink::FrameView& frame) {
 using Exchange = std::span<const Recorded>;
 
 /// The recording, cut where the recorded station began another exchange. What comes before the first is left out.
-std::vector<Exchange> exchanges(const std::vector<Recorded>& frames) {
+std::vector<Exchange> exchanges(const Dialogue& dialogue) {
+  const auto& frames = dialogue.entries();
   std::vector<Exchange> result;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (opens(frames[i].view)) result.push_back(Exchange{frames}.subspan(i, 0));
+    if (opens(frames[i].frame)) result.push_back(Exchange{frames}.subspan(i, 0));
     if (!result.empty()) result.back() = {result.back().data(), result.back().size() + 1};
   }
   return result;
@@ -76,9 +59,9 @@ std::vector<Exchange> exchanges(const std::vector<Recorded>& frames) {
 
 /// Those that the recorded station began with this message.
 template <mavlink::Message M>
-std::vector<Exchange> exchanges_of(const std::vector<Recorded>& frames) {
-  auto result = exchanges(frames);
-  std::erase_if(result, [](Exchange each) { return !mavlink::carries<M>(each.front().view); });
+std::vector<Exchange> exchanges_of(const Dialogue& dialogue) {
+  auto result = exchanges(dialogue);
+  std::erase_if(result, [](Exchange each) { return !mavlink::carries<M>(each.front().frame); });
   return result;
 }
 
@@ -99,10 +82,10 @@ class Player {
 
   void play(Exchange exchange) {
     for (const auto& each : exchange) {
-      if (each.view.system != vehicle || !is_of_a_transfer(each.view)) continue;
+      if (each.is_of_station() || !is_of_a_transfer(each.frame)) continue;
       now += milliseconds{5};
       client.on_tick(now, voice, facts_);
-      client.on_message(now, each.view, voice, facts_);
+      client.on_message(now, each.frame, voice, facts_);
     }
   }
 
@@ -149,11 +132,11 @@ using ParameterPlayer = Player<ParameterClient, ParameterFact>;
 
 /// Begins the upload of what the recorded station sent.
 void begin_upload(MissionPlayer& player, Exchange exchange) {
-  const auto count = mavlink::decode<messages::MissionCount>(exchange.front().view);
+  const auto count = mavlink::decode<messages::MissionCount>(exchange.front().frame);
   std::vector<WireItem> items(count.count);
   for (const auto& each : exchange) {
-    if (each.view.system == vehicle || !mavlink::carries<messages::MissionItemInt>(each.view)) continue;
-    const auto item = mavlink::decode<messages::MissionItemInt>(each.view);
+    if (!each.is_of_station() || !mavlink::carries<messages::MissionItemInt>(each.frame)) continue;
+    const auto item = mavlink::decode<messages::MissionItemInt>(each.frame);
     if (item.seq < items.size()) items[item.seq] = item;
   }
   (void)player.client.upload(player.now, static_cast<PlanType>(count.mission_type), items, player.voice);
@@ -174,9 +157,9 @@ struct Flight {
 class ReplayedFlight : public ::testing::TestWithParam<Flight> {};
 
 TEST_P(ReplayedFlight, IsUploadedAndReadBackWithoutARepeat) {
-  const auto frames = recording(GetParam().name);
-  const auto uploads = exchanges_of<messages::MissionCount>(frames);
-  const auto downloads = exchanges_of<messages::MissionRequestList>(frames);
+  const Dialogue dialogue{GetParam().name};
+  const auto uploads = exchanges_of<messages::MissionCount>(dialogue);
+  const auto downloads = exchanges_of<messages::MissionRequestList>(dialogue);
   ASSERT_EQ(uploads.size(), 1U);
   MissionPlayer player{GetParam().stack};
   begin_upload(player, uploads[0]);
@@ -204,9 +187,9 @@ INSTANTIATE_TEST_SUITE_P(Recorded, ReplayedFlight,
                          [](const auto& instance) { return std::string{instance.param.name}; });
 
 TEST(ReplayedClear, IsMadeSureOf) {
-  const auto frames = recording("px4_mission_v2");
-  const auto clears = exchanges_of<messages::MissionClearAll>(frames);
-  const auto downloads = exchanges_of<messages::MissionRequestList>(frames);
+  const Dialogue dialogue{"px4_mission_v2"};
+  const auto clears = exchanges_of<messages::MissionClearAll>(dialogue);
+  const auto downloads = exchanges_of<messages::MissionRequestList>(dialogue);
   ASSERT_EQ(clears.size(), 1U);
   MissionPlayer player{Stack::px4};
   (void)player.client.clear(player.now, PlanType::mission, player.voice);
@@ -226,8 +209,8 @@ class ReplayedErrors : public ::testing::Test {
     return player_;
   }
 
-  std::vector<Recorded> frames_{recording("ap_protocol_v2")};
-  std::vector<Exchange> uploads_{exchanges_of<messages::MissionCount>(frames_)};
+  Dialogue dialogue_{"ap_protocol_v2"};
+  std::vector<Exchange> uploads_{exchanges_of<messages::MissionCount>(dialogue_)};
   MissionPlayer player_{Stack::ardupilot_copter};
 };
 
@@ -285,10 +268,10 @@ TEST_F(ReplayedErrors, AFenceIsUploadedToo) {
 template <mavlink::Message M>
 std::vector<std::string> outcomes(std::string_view name, Stack stack) {
   std::vector<std::string> result;
-  const auto frames = recording(name);
-  for (const auto& exchange : exchanges_of<M>(frames)) {
+  const Dialogue dialogue{name};
+  for (const auto& exchange : exchanges_of<M>(dialogue)) {
     ParameterPlayer player{stack};
-    const auto request = mavlink::decode<M>(exchange.front().view);
+    const auto request = mavlink::decode<M>(exchange.front().frame);
     const auto parameter = request.param_id.view();
     if constexpr (std::is_same_v<M, messages::ParamSet>) {
       // Its type is known, or the vehicle would be asked for it first.

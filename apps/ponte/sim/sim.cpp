@@ -35,6 +35,8 @@ struct Options {
   std::vector<std::string> faults;
   std::vector<std::string> parameters;
   std::size_t mission_items{};
+  bool radio{};
+  std::size_t baud{};
   unsigned system{1};
   std::string home;
   double speedup{1};
@@ -43,7 +45,8 @@ struct Options {
   LogOptions log;
 };
 
-constexpr double spacing_m = 20;  // from one vehicle of many to the next, eastwards
+constexpr std::size_t bits_per_byte = 10;  // on a serial line, with start and stop
+constexpr double spacing_m = 20;           // from one vehicle of many to the next, eastwards
 
 /// The vehicle that is the n-th of many.
 sim::VehicleConfig config_of(const Options& options, unsigned n) {
@@ -51,6 +54,8 @@ sim::VehicleConfig config_of(const Options& options, unsigned n) {
   config.personality = options.personality;
   config.type = options.type;
   if (options.mission_items != 0) config.mission_items = options.mission_items;
+  if (options.baud != 0) config.line_rate = options.baud / bits_per_byte;
+  config.radio = options.radio;
   for (const auto& each : options.parameters) config.parameters.push_back(setting_from(each, config));
   config.fly_square = options.arm_after_s.has_value();
   config.system = mavlink::SystemId{static_cast<std::uint8_t>(options.system + n)};
@@ -178,6 +183,12 @@ void add_sim(CLI::App& app) {
       ->add_option("--mission-items", options->mission_items,
                    "The most items of a mission, instead of as many as the real autopilot takes")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4000}));
+  command
+      ->add_option("--baud", options->baud,
+                   "Bits per second of the line that the vehicle takes it for: parameter lists take a third of it")
+      ->check(CLI::Range(std::size_t{1200}, std::size_t{4'000'000}));
+  command->add_flag("--radio", options->radio,
+                    "A telemetry radio (SiK) is on the line, and reports what it hears (RADIO_STATUS)");
   command->add_flag("--local", options->is_local,
                     "Nobody else can listen on the link: the vehicle takes its signing key from there (SETUP_SIGNING)");
   command->add_option("--system", options->system, "System id")->check(CLI::Range(1U, 255U))->capture_default_str();

@@ -119,7 +119,11 @@ void CommandClient::send(Timestamp now, Request& request, Voice& voice) {
   ++request.attempts;
   request.state = State::asked;
   request.deadline = now + times_.answer;
-  auto& traffic = traffic_of(request.command.number);
+  on_sent(now, request.command.number);
+}
+
+void CommandClient::on_sent(Timestamp now, std::uint16_t number) {
+  auto& traffic = traffic_of(number);
   if (now >= traffic.last_sent + times_.late) traffic.unanswered = 0;
   ++traffic.unanswered;
   traffic.last_sent = now;

@@ -68,9 +68,10 @@ struct CommandTimes {
 /// names nothing but the number: others wait for it in the order of their requests.
 ///
 /// A late answer is not taken for that to the next request of the same number: that is sent only when all copies of the
-/// one before are answered, or when `late` has passed. Two things the protocol cannot tell: an answer that takes even
-/// longer; and to whom an answer is, if the vehicle does not fill in the target, as in MAVLink 1, and another station
-/// asks for the same at the same time.
+/// one before are answered, or when `late` has passed. The protocol cannot tell an answer that takes even longer; nor
+/// to whom an answer is, if the vehicle does not fill in the target, as in MAVLink 1, and another station asks for the
+/// same at the same time; nor to which of two it is, if another part of the program sends the same command in our name
+/// while a request is under way.
 class CommandClient {
  public:
   static constexpr std::size_t capacity = 16;
@@ -84,6 +85,10 @@ class CommandClient {
   void cancel(Timestamp now, CommandId request, Voice& voice);
   /// Nobody wants to know any more what becomes of it: no more copies are sent, and no fact is told.
   void withdraw(Timestamp now, CommandId request);
+
+  /// A copy of this command has been sent in our name, by whatever part of the program: its answer is not for a request
+  /// that begins later.
+  void on_sent(Timestamp now, std::uint16_t number);
 
   /// Any frame with the right checksum; those of others are passed over.
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<CommandFact>& facts);

@@ -3,7 +3,6 @@
 #include "ponte/core/degrees.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,26 +11,12 @@ namespace {
 
 namespace messages = mavlink::autopilots;
 using vehicle::ModeKind;
-using Kind = GuidedFact::Kind;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float own_speed = -1;
 
-bool is_valid(const Target& target) {
-  return std::abs(target.latitude.value) <= std::numbers::pi / 2 &&
-         std::abs(target.longitude.value) <= std::numbers::pi && std::isfinite(target.height.value.value);
-}
-
 bool is_valid(const std::optional<MetresPerSecond>& speed) {
   return !speed || (std::isfinite(speed->value) && speed->value > 0);
-}
-
-void set_place(Command& command, const Target& target) {
-  command.x = degrees_from_radians(target.latitude);
-  command.y = degrees_from_radians(target.longitude);
-  command.z = static_cast<float>(target.height.value.value);
-  command.frame =
-      target.height.above == Height::Above::home ? messages::MAV_FRAME_GLOBAL_RELATIVE_ALT : messages::MAV_FRAME_GLOBAL;
 }
 
 /// What is left open stays as it is.
@@ -49,9 +34,8 @@ bool leads_somewhere(GuidedWish wish) { return wish != GuidedWish::change_speed;
 
 }  // namespace
 
-GuidedFlight::GuidedFlight(CommandClient& commands, const ModeClient& modes) : commands_{commands}, modes_{modes} {
-  pending_.reserve(CommandClient::capacity);
-}
+GuidedFlight::GuidedFlight(CommandClient& commands, const ModeClient& modes)
+    : commands_{commands}, modes_{modes}, wishes_{commands} {}
 
 Result<GuidedRequestId, GuidedError> GuidedFlight::go_to(Timestamp now, const Target& target,
                                                          std::optional<MetresPerSecond> speed, Voice& voice) {
@@ -59,7 +43,7 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::go_to(Timestamp now, const Ta
   auto command = reposition();
   set_place(command, target);
   if (speed) command.param1 = static_cast<float>(speed->value);
-  const auto result = ask(now, GuidedWish::go_to, command, guided_mode(), voice);
+  const auto result = ask(now, GuidedWish::go_to, command, voice);
   if (result) target_ = target;
   return result;
 }
@@ -74,7 +58,7 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::orbit(Timestamp now, const Ta
     if (speed) command.param1 = static_cast<float>(speed->value);
     command.param3 = static_cast<float>(std::abs(radius.value));
     command.param4 = radius.value < 0 ? 1 : 0;  // anticlockwise
-    return ask(now, GuidedWish::orbit, command, guided_mode(), voice);
+    return ask(now, GuidedWish::orbit, command, voice);
   }
   if (stack() != Stack::px4) return fail(GuidedError::not_supported);
   Command command{.number = messages::MAV_CMD_DO_ORBIT,
@@ -82,7 +66,7 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::orbit(Timestamp now, const Ta
                   .param2 = speed ? static_cast<float>(speed->value) : nan,
                   .param4 = nan};
   set_place(command, centre);
-  return ask(now, GuidedWish::orbit, command, custom_mode_named(stack(), "POSCTL.ORBIT"), voice);
+  return ask(now, GuidedWish::orbit, command, voice);
 }
 
 Result<GuidedRequestId, GuidedError> GuidedFlight::change_altitude(Timestamp now, const Height& height, Voice& voice) {
@@ -93,7 +77,7 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::change_altitude(Timestamp now
     if (height.above == Height::Above::home && !home) return fail(GuidedError::home_unknown);
     const auto base = height.above == Height::Above::home ? *home : Metres{};
     command.z = static_cast<float>((base + height.value).value);
-    return ask(now, GuidedWish::change_altitude, command, guided_mode(), voice);
+    return ask(now, GuidedWish::change_altitude, command, voice);
   }
   const auto mode = guided_mode();
   const auto& place = modes_.watch().place();
@@ -101,7 +85,7 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::change_altitude(Timestamp now
   const bool is_led = target_ && mode && modes_.watch().has_mode(*mode, Timestamp{});
   set_place(command, is_led ? Target{target_->latitude, target_->longitude, height}
                             : Target{place->latitude, place->longitude, height});
-  return ask(now, GuidedWish::change_altitude, command, mode, voice);
+  return ask(now, GuidedWish::change_altitude, command, voice);
 }
 
 Result<GuidedRequestId, GuidedError> GuidedFlight::turn_to(Timestamp now, Radians heading, Voice& voice) {
@@ -109,14 +93,14 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::turn_to(Timestamp now, Radian
   if (stack() == Stack::px4) {
     auto command = reposition();
     command.param4 = static_cast<float>(heading.value);
-    return ask(now, GuidedWish::turn_to, command, guided_mode(), voice);
+    return ask(now, GuidedWish::turn_to, command, voice);
   }
   if (stack() != Stack::ardupilot_copter) return fail(GuidedError::not_supported);
   constexpr double full_turn = 360;
   const double degrees = std::fmod(degrees_from_radians(heading), full_turn);
   const Command command{.number = messages::MAV_CMD_CONDITION_YAW,
                         .param1 = static_cast<float>(degrees < 0 ? degrees + full_turn : degrees)};
-  return ask(now, GuidedWish::turn_to, command, std::nullopt, voice);
+  return ask(now, GuidedWish::turn_to, command, voice);
 }
 
 Result<GuidedRequestId, GuidedError> GuidedFlight::change_speed(Timestamp now, MetresPerSecond speed, Voice& voice) {
@@ -127,7 +111,7 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::change_speed(Timestamp now, M
                         .param1 = static_cast<float>(type),
                         .param2 = static_cast<float>(speed.value),
                         .param3 = -1};  // the throttle as it is
-  return ask(now, GuidedWish::change_speed, command, std::nullopt, voice);
+  return ask(now, GuidedWish::change_speed, command, voice);
 }
 
 /// PX4 flies to a place given by a command in its hold mode.
@@ -135,79 +119,42 @@ std::optional<std::uint32_t> GuidedFlight::guided_mode() const {
   return custom_mode_for(stack(), stack() == Stack::px4 ? ModeKind::hold : ModeKind::guided);
 }
 
+/// In which it can be seen to be done; nothing if it changes none.
+std::optional<std::uint32_t> GuidedFlight::mode_of(GuidedWish wish) const {
+  const bool is_px4 = stack() == Stack::px4;
+  if (wish == GuidedWish::change_speed || (wish == GuidedWish::turn_to && !is_px4)) return std::nullopt;
+  if (wish == GuidedWish::orbit && is_px4) return custom_mode_named(stack(), "POSCTL.ORBIT");
+  return guided_mode();
+}
+
 Result<GuidedRequestId, GuidedError> GuidedFlight::ask(Timestamp now, GuidedWish wish, const Command& command,
-                                                       std::optional<std::uint32_t> custom_mode, Voice& voice) {
+                                                       Voice& voice) {
   if (stack() == Stack::unknown) return fail(GuidedError::not_supported);
-  if (pending_.size() == pending_.capacity()) return fail(GuidedError::not_sent);
-  for (auto& each : pending_) {
-    if (!leads_somewhere(wish) || !leads_somewhere(each.wish) || each.phase == Phase::superseded) continue;
-    if (each.phase == Phase::asked) commands_.withdraw(now, each.command);
-    each.phase = Phase::superseded;
-    each.deadline = now;
-  }
-  const auto request = commands_.request(now, command, voice);
+  if (leads_somewhere(wish)) wishes_.supersede(now, leads_somewhere);
+  const auto request = wishes_.ask(now, wish, command, mode_of(wish) ? mode_patience : Duration{}, voice);
   if (!request) return fail(GuidedError::not_sent);
-  pending_.push_back(
-      {.id = GuidedRequestId{++last_id_}, .wish = wish, .command = *request, .since = now, .custom_mode = custom_mode});
-  return pending_.back().id;
+  return *request;
 }
 
 bool GuidedFlight::on_answer(Timestamp now, const CommandFact& answer, Outbox<GuidedFact>& facts) {
-  const auto is_asked = [&](const Pending& each) {
-    return each.phase == Phase::asked && each.command == answer.request;
-  };
-  const auto found = std::ranges::find_if(pending_, is_asked);
-  if (found == pending_.end()) return false;
-  if (!answer.is_final()) return true;
-  if (answer.kind == CommandFact::Kind::accepted) {
-    found->phase = Phase::accepted;
-    found->deadline = now + (found->custom_mode ? mode_patience : Duration{});
-    on_tick(now, facts);
-    return true;
-  }
-  GuidedFact fact{.kind = Kind::no_answer, .request = found->id, .wish = found->wish};
-  if (answer.kind == CommandFact::Kind::refused) {
-    fact.kind = Kind::refused;
-    fact.result = answer.result;
-    fact.reason = answer.reason;
-  }
-  facts.push(fact);
-  pending_.erase(found);
+  if (!wishes_.on_answer(now, answer, facts)) return false;
+  on_tick(now, facts);
   return true;
 }
 
 void GuidedFlight::on_tick(Timestamp now, Outbox<GuidedFact>& facts) {
-  std::erase_if(pending_, [&](const Pending& each) {
-    if (each.phase == Phase::asked) return false;
-    const bool is_seen = !each.custom_mode || modes_.watch().has_mode(*each.custom_mode, each.since);
-    if (each.phase == Phase::accepted && is_seen)
-      tell(each, Kind::done, facts);
-    else if (each.deadline <= now)
-      tell(each, each.phase == Phase::accepted ? Kind::no_effect : Kind::superseded, facts);
-    else
-      return false;
-    return true;
-  });
+  const auto is_seen = [this](GuidedWish wish, Timestamp since) {
+    const auto mode = mode_of(wish);
+    return !mode || modes_.watch().has_mode(*mode, since);
+  };
+  wishes_.look(now, is_seen, facts);
 }
 
-std::optional<Timestamp> GuidedFlight::next_deadline() const {
-  std::optional<Timestamp> next;
-  for (const auto& each : pending_)
-    if (each.phase != Phase::asked && (!next || each.deadline < *next)) next = each.deadline;
-  return next;
-}
+std::optional<Timestamp> GuidedFlight::next_deadline() const { return wishes_.next_deadline(); }
 
 void GuidedFlight::on_reboot(Timestamp now, Outbox<GuidedFact>& facts) {
-  for (const auto& each : pending_) {
-    if (each.phase == Phase::asked) commands_.withdraw(now, each.command);
-    tell(each, each.phase == Phase::superseded ? Kind::superseded : Kind::rebooted, facts);
-  }
-  pending_.clear();
+  wishes_.on_reboot(now, facts);
   target_.reset();
-}
-
-void GuidedFlight::tell(const Pending& pending, Kind kind, Outbox<GuidedFact>& facts) {
-  facts.push({.kind = kind, .request = pending.id, .wish = pending.wish});
 }
 
 }  // namespace ponte::autopilot

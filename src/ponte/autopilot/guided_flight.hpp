@@ -1,34 +1,21 @@
 #pragma once
 
-#include "ponte/autopilot/command_client.hpp"
 #include "ponte/autopilot/mode_client.hpp"
+#include "ponte/autopilot/target.hpp"
+#include "ponte/autopilot/wishes.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace ponte::autopilot {
 
-using GuidedRequestId = Id<struct GuidedRequestIdTag, std::uint32_t>;
-
+/// What can be wished of a vehicle in the air.
 enum class GuidedWish : std::uint8_t { go_to, orbit, change_altitude, turn_to, change_speed };
 
-/// What became of a wish. Each ends in exactly one of these.
-struct GuidedFact {
-  enum class Kind : std::uint8_t {
-    done,        ///< accepted; and where it changes what is flown, the vehicle was seen in the mode for it
-    refused,     ///< with `result` and `reason`
-    no_answer,   ///< whether it is done is not known
-    no_effect,   ///< accepted, but the vehicle was not seen in the mode for it
-    superseded,  ///< by a newer wish of where to fly
-    rebooted,    ///< the vehicle has started anew meanwhile
-  } kind{};
-  GuidedRequestId request{};
-  GuidedWish wish{};
-  std::uint8_t result{};  ///< MAV_RESULT of a refusal
-  Text<159> reason{};     ///< of a refusal, as in `CommandFact`
-  friend bool operator==(const GuidedFact&, const GuidedFact&) = default;
-};
+using GuidedRequestId = WishId<GuidedWish>;
+/// Of all but the speed, and the heading in ArduPilot, the mode in which the vehicle flies so has been seen when it is
+/// done.
+using GuidedFact = WishFact<GuidedWish>;
 
 /// Why a wish is not even sent.
 enum class GuidedError : std::uint8_t {
@@ -37,19 +24,6 @@ enum class GuidedError : std::uint8_t {
   home_unknown,      ///< the altitude of home has not come yet, which this autopilot has to be told
   position_unknown,  ///< nor has the vehicle's position
   not_sent,          ///< see `CommandError`: too much is under way, or MAVLink 0.9
-};
-
-/// A height, and what it counts from.
-struct Height {
-  Metres value{};
-  enum class Above : std::uint8_t { home, sea } above{};
-};
-
-/// Where to fly to.
-struct Target {
-  Radians latitude{};
-  Radians longitude{};
-  Height height{};
 };
 
 /// Leads a vehicle in the air by one command at a time, in the autopilot's guided mode (GUIDED of ArduPilot,
@@ -85,27 +59,14 @@ class GuidedFlight {
   void on_reboot(Timestamp now, Outbox<GuidedFact>& facts);
 
  private:
-  enum class Phase : std::uint8_t { asked, accepted, superseded };
-  struct Pending {
-    GuidedRequestId id{};
-    GuidedWish wish{};
-    Phase phase{};
-    CommandId command{};
-    Timestamp since{};
-    Timestamp deadline{};                        // but while asked
-    std::optional<std::uint32_t> custom_mode{};  // in which it is flown
-  };
-
-  Result<GuidedRequestId, GuidedError> ask(Timestamp now, GuidedWish wish, const Command& command,
-                                           std::optional<std::uint32_t> custom_mode, Voice& voice);
+  Result<GuidedRequestId, GuidedError> ask(Timestamp now, GuidedWish wish, const Command& command, Voice& voice);
+  [[nodiscard]] std::optional<std::uint32_t> mode_of(GuidedWish wish) const;
   [[nodiscard]] std::optional<std::uint32_t> guided_mode() const;
   [[nodiscard]] Stack stack() const { return commands_.peer().stack; }
-  static void tell(const Pending& pending, GuidedFact::Kind kind, Outbox<GuidedFact>& facts);
 
   CommandClient& commands_;
   const ModeClient& modes_;
-  std::uint32_t last_id_{};
-  std::vector<Pending> pending_;
+  Wishes<GuidedWish> wishes_;
   std::optional<Target> target_;  // of the last go_to
 };
 

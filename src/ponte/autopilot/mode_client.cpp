@@ -119,6 +119,12 @@ Result<ModeRequestId, ModeError> ModeClient::begin(Timestamp now, const Plan& pl
   return fail(ModeError::not_sent);
 }
 
+void ModeClient::withdraw(Timestamp now, ModeRequestId request) {
+  if (!running_ || running_->id != request) return;
+  if (running_->phase == Phase::asked) commands_.withdraw(now, running_->command);
+  running_.reset();
+}
+
 /// Sends the command of the step that it is at.
 bool ModeClient::ask(Timestamp now, Voice& voice) {
   const auto command = commands_.request(now, command_for(running_->plan, running_->plan.steps[running_->at]), voice);

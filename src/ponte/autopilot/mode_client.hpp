@@ -19,7 +19,7 @@ enum class ModeWish : std::uint8_t { change_mode, arm, disarm, take_off, start_m
 /// What is done about a wish, one after the other.
 enum class ModeStep : std::uint8_t { set_mode, arm, disarm, take_off, start_mission };
 
-/// What became of a wish. Each ends in exactly one of these.
+/// What became of a wish. Each that is not withdrawn ends in exactly one of these.
 struct ModeFact {
   enum class Kind : std::uint8_t {
     done,        ///< the vehicle was seen to do it: in the mode, armed, in the air
@@ -79,6 +79,9 @@ class ModeClient {
   Result<ModeRequestId, ModeError> take_off(Timestamp now, std::optional<Metres> height, Voice& voice);
   /// The one on board, from the ground or in the air.
   Result<ModeRequestId, ModeError> start_mission(Timestamp now, Voice& voice);
+
+  /// Nobody wants to know any more what becomes of it: nothing more is done for it, and no fact is told.
+  void withdraw(Timestamp now, ModeRequestId request);
 
   /// Any frame with the right checksum; those of others are passed over.
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<ModeFact>& facts);

@@ -35,13 +35,11 @@ Result<void, StreamError> SetpointStream::steer(Timestamp now, const Motion& mot
   if (!is_valid(motion)) return fail(StreamError::invalid);
   if (phase_ == Phase::none || phase_ == Phase::holding) {
     if (!modes_.watch().is_in_the_air(Timestamp{})) return fail(StreamError::on_the_ground);
-    mode_request_.reset();
     if (peer_.stack == Stack::px4) {
+      forget_mode_request(now);
       enter(now, Phase::before_switch, times_.before_switch);
     } else {
-      const auto request = modes_.change_mode(now, ModeKind::guided, voice);
-      if (!request) return fail(StreamError::not_sent);
-      mode_request_ = *request;
+      if (!ask_for(now, ModeKind::guided, voice)) return fail(StreamError::not_sent);
       enter(now, Phase::switching, {});
     }
     next_setpoint_ = now;
@@ -91,9 +89,7 @@ void SetpointStream::advance(Timestamp now, Voice& voice, Outbox<StreamFact>& fa
     return begin_holding(now, voice);
   }
   if (phase_ == Phase::before_switch && now >= phase_ends_) {
-    const auto request = modes_.change_mode(now, ModeKind::guided, voice);
-    if (!request) return end({.kind = Kind::refused}, facts);
-    mode_request_ = *request;
+    if (!ask_for(now, ModeKind::guided, voice)) return end({.kind = Kind::refused}, facts);
     enter(now, Phase::switching, {});
   }
   const auto mode = custom_mode_for(peer_.stack, ModeKind::guided).value();
@@ -104,9 +100,22 @@ void SetpointStream::advance(Timestamp now, Voice& voice, Outbox<StreamFact>& fa
 void SetpointStream::begin_holding(Timestamp now, Voice& voice) {
   enter(now, Phase::holding, times_.hold);
   next_setpoint_ = now;
+  if (peer_.stack == Stack::px4)
+    ask_for(now, ModeKind::hold, voice);
+  else
+    forget_mode_request(now);
+}
+
+bool SetpointStream::ask_for(Timestamp now, ModeKind mode, Voice& voice) {
+  forget_mode_request(now);
+  const auto request = modes_.change_mode(now, mode, voice);
+  if (request) mode_request_ = *request;
+  return request.has_value();
+}
+
+void SetpointStream::forget_mode_request(Timestamp now) {
+  if (mode_request_) modes_.withdraw(now, *mode_request_);
   mode_request_.reset();
-  if (peer_.stack != Stack::px4) return;
-  if (const auto request = modes_.change_mode(now, ModeKind::hold, voice)) mode_request_ = *request;
 }
 
 void SetpointStream::send(Timestamp now, const Motion& motion, Voice& voice) {
@@ -133,13 +142,13 @@ std::optional<Timestamp> SetpointStream::next_deadline() const {
   return std::nullopt;
 }
 
-void SetpointStream::on_reboot(Outbox<StreamFact>& facts) {
+void SetpointStream::on_reboot(Timestamp now, Outbox<StreamFact>& facts) {
+  forget_mode_request(now);
   if (phase_ != Phase::none) end({.kind = Kind::rebooted}, facts);
 }
 
 void SetpointStream::end(const StreamFact& fact, Outbox<StreamFact>& facts) {
   phase_ = Phase::none;
-  mode_request_.reset();
   facts.push(fact);
 }
 

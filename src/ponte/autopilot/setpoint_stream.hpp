@@ -62,7 +62,7 @@ class SetpointStream {
   void on_tick(Timestamp now, Voice& voice, Outbox<StreamFact>& facts);
   /// When `on_tick` next has something to do; nothing while there is no stream.
   [[nodiscard]] std::optional<Timestamp> next_deadline() const;
-  void on_reboot(Outbox<StreamFact>& facts);
+  void on_reboot(Timestamp now, Outbox<StreamFact>& facts);
 
  private:
   enum class Phase : std::uint8_t { none, before_switch, switching, steering, holding };
@@ -71,6 +71,8 @@ class SetpointStream {
   void send(Timestamp now, const Motion& motion, Voice& voice);
   void advance(Timestamp now, Voice& voice, Outbox<StreamFact>& facts);
   void begin_holding(Timestamp now, Voice& voice);
+  bool ask_for(Timestamp now, vehicle::ModeKind mode, Voice& voice);
+  void forget_mode_request(Timestamp now);
   void end(const StreamFact& fact, Outbox<StreamFact>& facts);
 
   Peer peer_;

@@ -56,7 +56,7 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
       sender_{config.version, config.system, config.component},
       text_numbers_{config.personality},
       rates_{telemetry_rows(config.personality, config.version)},
-      parameters_{config.personality, memory.parameters},
+      parameters_{config.personality, memory.parameters, config.line_rate},
       missions_{config.personality, memory.missions},
       gimbal_{has_gimbal(config.personality, memory.parameters)},
       virtual_files_{memory.missions, memory.parameters},
@@ -67,7 +67,6 @@ Autopilot::Autopilot(const VehicleConfig& config, OnboardMemory& memory, Timesta
 
 void Autopilot::steer(Timestamp now, Airframe& airframe, Outbox<mavlink::FrameBuffer>& out) {
   auto speaker = speaker_to(out);
-  take_over_parameters();
   failsafes_.step(now - boot_, navigation_.has_position() || !navigation_.ever_had_position(), flight_, airframe,
                   facts_);
   flight_.step(now - boot_, airframe, facts_);
@@ -176,6 +175,7 @@ void Autopilot::on_frame(Timestamp now, const mavlink::FrameView& frame, Airfram
     return;
   }
   on_message(now, frame, call);
+  take_over_parameters();
   tell_mode(call.speaker);
   take_over_plans(call.speaker);
 }

@@ -64,7 +64,8 @@ struct VehicleConfig {
   SquareConfig square{};
 
   std::vector<ParameterSetting> parameters{};  ///< that this autopilot has
-  std::size_t more_parameters{};               ///< as many as a real autopilot has; nothing depends on these
+  bool radio{};                                ///< a telemetry radio is on its line
+  std::optional<std::size_t> line_rate{};      ///< bytes per second that its line carries; nothing: as many as it likes
   std::optional<std::size_t> mission_items{};  ///< the most of a mission; nothing: as many as the real autopilot takes
 
   std::uint64_t seed{1};  ///< of the sensors' noise, the gusts, and what is believed without satellites

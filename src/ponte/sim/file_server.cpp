@@ -10,7 +10,8 @@ namespace messages = mavlink::autopilots;
 
 namespace {
 
-constexpr Duration idle_limit = std::chrono::seconds{3};
+constexpr Duration reuse_limit = std::chrono::seconds{3};
+constexpr Duration idle_limit = std::chrono::seconds{20};
 constexpr std::size_t blocks_per_burst = 64;
 constexpr std::size_t blocks_per_step = 4;
 
@@ -58,7 +59,7 @@ FtpMessage FileServer::answer(Timestamp now, const FtpMessage& request, Requeste
                    .offset = request.offset};
   const auto in_session = [&](auto&& act) -> std::optional<FtpError> {
     auto* session = session_of(now, request, from);
-    return session == nullptr ? std::optional{FtpError::bad_session} : act(*session);
+    return session == nullptr ? std::optional{FtpError::not_found} : act(*session);
   };
   const auto error = [&]() -> std::optional<FtpError> {
     switch (request.opcode) {
@@ -67,7 +68,10 @@ FtpMessage FileServer::answer(Timestamp now, const FtpMessage& request, Requeste
         for (auto& each : sessions_)
           if (each.is_open && each.owner == from) each.is_open = false;
         return std::nullopt;
-      case FtpOpcode::terminate_session: return in_session([&](Session& session) { return close(session); });
+      case FtpOpcode::terminate_session: {
+        auto* session = session_of(now, request, from);
+        return session == nullptr ? std::nullopt : close(*session);
+      }
       case FtpOpcode::list_directory: return list(request, reply);
       case FtpOpcode::open_read_only: return open(now, request, false, from, reply);
       case FtpOpcode::create_file:
@@ -75,7 +79,7 @@ FtpMessage FileServer::answer(Timestamp now, const FtpMessage& request, Requeste
       case FtpOpcode::read_file: return in_session([&](Session& session) { return read(request, session, reply); });
       case FtpOpcode::write_file: return in_session([&](Session& session) { return write(request, session); });
       case FtpOpcode::calculate_crc32: return checksum(request, reply);
-      case FtpOpcode::burst_read_file: return FtpError::bad_session;
+      case FtpOpcode::burst_read_file: return FtpError::not_found;
       case FtpOpcode::remove_file:
       case FtpOpcode::ack:
       case FtpOpcode::nak: break;
@@ -89,39 +93,55 @@ FtpMessage FileServer::answer(Timestamp now, const FtpMessage& request, Requeste
   return reply;
 }
 
+FileServer::Session* FileServer::find(const FtpMessage& request, Requester from) {
+  const auto found = std::ranges::find_if(sessions_, [&](const Session& each) {
+    return each.is_open && each.number == request.session && each.owner == from;
+  });
+  return found == sessions_.end() ? nullptr : &*found;
+}
+
 FileServer::Session* FileServer::session_of(Timestamp now, const FtpMessage& request, Requester from) {
-  if (request.session >= sessions_.size()) return nullptr;
-  auto& session = sessions_[request.session];
-  if (!session.is_open || !(session.owner == from)) return nullptr;
-  session.used = now;
-  session.burst.reset();
-  return &session;
+  auto* session = find(request, from);
+  if (session == nullptr) return nullptr;
+  session->used = now;
+  session->burst.reset();
+  return session;
+}
+
+/// One that is free, or that nobody has used for a while.
+FileServer::Session* FileServer::free_session(Timestamp now) {
+  const auto is_free = [&](const Session& each) { return !each.is_open || now - each.used > reuse_limit; };
+  const auto found = std::ranges::find_if(sessions_, is_free);
+  return found == sessions_.end() ? nullptr : &*found;
 }
 
 std::optional<FtpError> FileServer::open(Timestamp now, const FtpMessage& request, bool writes, Requester from,
                                          FtpMessage& reply) {
-  const auto free = std::find_if(sessions_.begin(), sessions_.end(), [](const Session& each) { return !each.is_open; });
-  if (free == sessions_.end()) return FtpError::no_session_free;
+  if (const auto* taken = find(request, from); taken != nullptr && (writes || now - taken->used <= reuse_limit))
+    return FtpError::fail;  // a file is open in it
+  auto* session = session_of(now, request, from);
+  if (session == nullptr) session = free_session(now);
+  if (session == nullptr) return FtpError::no_session_free;
   const auto path = request.path();
-  free->content.clear();
+  session->content.clear();
   if (writes && !files_.may_write(path)) return FtpError::protected_file;
-  if (!writes && !files_.read(path, free->content)) return FtpError::not_found;
-  free->is_open = true;
-  free->writes = writes;
-  free->owner = from;
-  free->path = path;
-  free->used = now;
-  free->burst.reset();
-  reply.session = static_cast<std::uint8_t>(free - sessions_.begin());
+  if (!writes && !files_.read(path, session->content)) return FtpError::not_found;
+  session->is_open = true;
+  session->number = request.session;
+  session->writes = writes;
+  session->owner = from;
+  session->path = path;
+  session->used = now;
+  session->burst.reset();
   if (writes) return std::nullopt;
   std::array<std::byte, 4> size{};
-  store_le(size.data(), static_cast<std::uint32_t>(free->content.size()));
+  store_le(size.data(), static_cast<std::uint32_t>(session->content.size()));
   reply.set_bytes(size);
   return std::nullopt;
 }
 
 std::optional<FtpError> FileServer::read(const FtpMessage& request, const Session& session, FtpMessage& reply) const {
-  if (session.writes) return FtpError::bad_session;
+  if (session.writes) return FtpError::fail;
   if (request.size > FtpMessage::data_size_max) return FtpError::bad_size;
   if (request.offset >= session.content.size()) return FtpError::end_of_file;
   const std::size_t left = session.content.size() - request.offset;
@@ -132,7 +152,7 @@ std::optional<FtpError> FileServer::read(const FtpMessage& request, const Sessio
 
 /// In any order, as far as the largest file reaches.
 std::optional<FtpError> FileServer::write(const FtpMessage& request, Session& session) const {
-  if (!session.writes) return FtpError::bad_session;
+  if (!session.writes) return FtpError::fail;
   const auto bytes = request.bytes();
   if (request.size > FtpMessage::data_size_max) return FtpError::bad_size;
   if (request.offset + bytes.size() > files_.largest()) return FtpError::fail;

@@ -18,8 +18,9 @@ using mavlink::FtpError;
 using mavlink::FtpMessage;
 using mavlink::FtpOpcode;
 
-/// ArduPilot's server of MAVFTP, for the files that it makes up. A session ends when it is not used for three seconds;
-/// what was written takes effect when it is closed.
+/// ArduPilot's server of MAVFTP, for the files that it makes up. The client chooses the number of its session. What is
+/// not used for three seconds may give way to another client's session, and ends after 20; what was written takes
+/// effect when it is closed.
 class FileServer {
  public:
   /// `files` outlives it.
@@ -39,6 +40,7 @@ class FileServer {
   };
   struct Session {
     bool is_open{};
+    std::uint8_t number{};  // as its owner calls it
     bool writes{};
     Requester owner{};
     std::string path;
@@ -61,7 +63,9 @@ class FileServer {
   [[nodiscard]] std::optional<FtpError> close(Session& session);
   [[nodiscard]] std::optional<FtpError> list(const FtpMessage& request, FtpMessage& reply);
   [[nodiscard]] std::optional<FtpError> checksum(const FtpMessage& request, FtpMessage& reply);
+  [[nodiscard]] Session* find(const FtpMessage& request, Requester from);
   [[nodiscard]] Session* session_of(Timestamp now, const FtpMessage& request, Requester from);
+  [[nodiscard]] Session* free_session(Timestamp now);
   void go_on(Session& session, Speaker& speaker);
   static void send(const FtpMessage& content, Requester to, Speaker& speaker);
 

@@ -150,30 +150,48 @@ TEST_F(FileServerTest, AnswersARepeatedRequestAlike) {
   resend(last_request_);
   EXPECT_EQ(answers().at(0).session, opened.session);
   EXPECT_EQ(answers().at(0).sequence, opened.sequence);
-  EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck").session, opened.session + 1) << "a new one";
+  EXPECT_EQ(error(FtpOpcode::open_read_only, "@PARAM/param.pck"), FtpError::fail) << "not a repetition";
 }
 
 TEST_F(FileServerTest, EndsSessionsThatAreNotUsed) {
   const auto opened = answer(FtpOpcode::open_read_only, "@PARAM/param.pck");
-  station_.wait(milliseconds{2900});
+  station_.wait(milliseconds{19'900});
   EXPECT_EQ(answer(FtpOpcode::read_file, "", opened.session).opcode, FtpOpcode::ack);
+  station_.wait(milliseconds{20'100});
+  EXPECT_EQ(error(FtpOpcode::read_file, "", opened.session), FtpError::not_found);
+}
+
+TEST_F(FileServerTest, TheClientNumbersItsSessions) {
+  const auto opened = answer(FtpOpcode::create_file, "@MISSION/mission.dat", 77);
+  EXPECT_EQ(opened.opcode, FtpOpcode::ack);
+  EXPECT_EQ(opened.session, 77);
+  EXPECT_EQ(answer(FtpOpcode::write_file, "not a plan", 77).opcode, FtpOpcode::ack);
+  EXPECT_EQ(error(FtpOpcode::write_file, "not a plan", 78), FtpError::not_found);
+  EXPECT_EQ(error(FtpOpcode::read_file, "", 77), FtpError::fail) << "it is open for writing";
+  EXPECT_EQ(error(FtpOpcode::terminate_session, "", 77), FtpError::fail) << "no plan was written";
+}
+
+TEST_F(FileServerTest, OpensAnotherFileInASessionThatWasForgotten) {
+  EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck").opcode, FtpOpcode::ack);
   station_.wait(milliseconds{3100});
-  EXPECT_EQ(error(FtpOpcode::read_file, "", opened.session), FtpError::bad_session);
+  EXPECT_EQ(answer(FtpOpcode::open_read_only, "@MISSION/mission.dat").opcode, FtpOpcode::ack);
 }
 
 TEST_F(FileServerTest, HasFiveSessions) {
-  for (int i = 0; i < 5; ++i)
-    EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck").opcode, FtpOpcode::ack) << i;
-  EXPECT_EQ(error(FtpOpcode::open_read_only, "@PARAM/param.pck"), FtpError::no_session_free);
+  for (std::uint8_t i = 0; i < 5; ++i)
+    EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck", i).opcode, FtpOpcode::ack) << i;
+  EXPECT_EQ(error(FtpOpcode::open_read_only, "@PARAM/param.pck", 5), FtpError::no_session_free);
+  station_.wait(milliseconds{3100});
+  EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck", 5).opcode, FtpOpcode::ack) << "the others are idle";
   EXPECT_EQ(answer(FtpOpcode::reset_sessions, "").opcode, FtpOpcode::ack);
-  EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck").opcode, FtpOpcode::ack);
+  EXPECT_EQ(answer(FtpOpcode::open_read_only, "@PARAM/param.pck", 5).opcode, FtpOpcode::ack);
 }
 
 TEST_F(FileServerTest, RefusesWhatItDoesNotHave) {
   EXPECT_EQ(error(FtpOpcode::open_read_only, "/etc/passwd"), FtpError::not_found);
   EXPECT_EQ(error(FtpOpcode::create_file, "@PARAM/param.pck"), FtpError::protected_file);
   EXPECT_EQ(error(static_cast<FtpOpcode>(77), ""), FtpError::unknown_command);
-  EXPECT_EQ(error(FtpOpcode::read_file, "", 200), FtpError::bad_session);
+  EXPECT_EQ(error(FtpOpcode::read_file, "", 200), FtpError::not_found);
 }
 
 TEST_F(FileServerTest, ChecksumsAsMavftpDefines) {

@@ -9,7 +9,7 @@ namespace ponte::sim {
 /// What an autopilot keeps when it starts anew.
 struct OnboardMemory {
   explicit OnboardMemory(const VehicleConfig& config)
-      : parameters{config.personality, config.type, config.more_parameters}, missions{config.personality, config.mission_items} {
+      : parameters{config.personality, config.type}, missions{config.personality, config.mission_items} {
     for (const auto& each : config.parameters) parameters.set(each.name, each.value);
   }
 

@@ -5,7 +5,9 @@
 
 #include <boost/crc.hpp>
 
+#include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 
 namespace ponte::sim {
@@ -14,7 +16,7 @@ namespace messages = mavlink::autopilots;
 
 namespace {
 
-constexpr std::size_t list_items_per_step = 10;
+constexpr std::size_t repeats_per_step = 10;
 constexpr Duration read_interval = std::chrono::milliseconds{100};  // at which ArduPilot looks at its queue of requests
 constexpr std::uint16_t no_index = 65535;
 constexpr std::string_view hash_name = "_HASH_CHECK";
@@ -25,11 +27,21 @@ constexpr std::uint8_t does_not_exist = 1;
 constexpr std::uint8_t value_out_of_range = 2;
 constexpr std::uint8_t type_mismatch = 7;
 
+std::size_t list_items_per_step(std::optional<std::size_t> line_rate) {
+  if (!line_rate) return 32;
+  constexpr auto steps_per_second = std::chrono::seconds{1} / Airframe::step_length;
+  constexpr auto item_size =
+      mavlink::header_size(mavlink::Version::v2) + messages::ParamValue::info.full_length + sizeof(std::uint16_t);
+  return std::max<std::size_t>(1, *line_rate / 3 / steps_per_second / item_size);
+}
+
 }  // namespace
 
-ParameterService::ParameterService(Personality personality, Parameters& parameters)
+ParameterService::ParameterService(Personality personality, Parameters& parameters,
+                                   std::optional<std::size_t> line_rate)
     : personality_{personality},
       parameters_{parameters},
+      list_items_per_step_{list_items_per_step(line_rate)},
       next_of_list_{parameters.size()},
       repeats_(parameters.size()) {}
 
@@ -126,24 +138,26 @@ void ParameterService::set_px4(std::size_t parameter, const messages::ParamSet& 
   else
     return refuse(info.name, value_out_of_range, requester, speaker);
   send(parameter, static_cast<std::uint16_t>(parameter), speaker);
+  if (!repeats_[parameter]) ++waiting_repeats_;
   repeats_[parameter] = true;
 }
 
 void ParameterService::on_step(Duration since_boot, Speaker& speaker) {
   if (is_px4() && next_of_list_ == 0) send_hash(speaker);
-  for (std::size_t sent = 0; next_of_list_ < parameters_.size() && sent < list_items_per_step; ++sent, ++next_of_list_)
+  for (std::size_t sent = 0; next_of_list_ < parameters_.size() && sent < list_items_per_step_; ++sent, ++next_of_list_)
     send(next_of_list_, static_cast<std::uint16_t>(next_of_list_), speaker);
 
   if (since_boot % read_interval == Duration{}) {
     for (const auto& each : std::span{reads_}.first(waiting_reads_)) send(each.parameter, each.told_index, speaker);
     waiting_reads_ = 0;
   }
-  std::size_t repeated = 0;
-  for (std::size_t i = 0; i < repeats_.size() && repeated < list_items_per_step; ++i) {
+  auto repeats = std::min(waiting_repeats_, repeats_per_step);
+  waiting_repeats_ -= repeats;
+  for (std::size_t i = 0; repeats > 0; ++i) {
     if (!repeats_[i]) continue;
     send(i, static_cast<std::uint16_t>(i), speaker);
     repeats_[i] = false;
-    ++repeated;
+    --repeats;
   }
 }
 

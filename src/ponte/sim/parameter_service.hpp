@@ -7,6 +7,7 @@
 #include "ponte/sim/speaker.hpp"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace ponte::sim {
 /// at once, with PARAM_ERROR where it refuses, and begins its list with a hash of all names and values.
 class ParameterService {
  public:
-  /// `parameters` outlives it.
-  ParameterService(Personality personality, Parameters& parameters);
+  /// `parameters` outlives it. `line_rate`: bytes per second that the line carries, of which the list takes a third;
+  /// nothing: all within a second.
+  ParameterService(Personality personality, Parameters& parameters, std::optional<std::size_t> line_rate = {});
 
   void on_request_list();
   void on_request_read(const mavlink::autopilots::ParamRequestRead& request, Requester requester, Speaker& speaker);
@@ -47,10 +49,12 @@ class ParameterService {
 
   Personality personality_;
   Parameters& parameters_;
+  std::size_t list_items_per_step_;
   std::size_t next_of_list_;  // the size of the list: none is being sent
   std::array<Read, reads_at_most> reads_{};
   std::size_t waiting_reads_{};
   std::vector<bool> repeats_;  // what was set, and is told once more
+  std::size_t waiting_repeats_{};
 };
 
 }  // namespace ponte::sim

@@ -67,6 +67,15 @@ TEST_P(ParameterServiceTest, SendsTheWholeListWithinASecondAndLosesNothing) {
   EXPECT_EQ(station_.lost(), 0U);
 }
 
+TEST(ParameterServiceOnASlowLine, TakesAThirdOfIt) {
+  TestStation station{{.fly_square = false, .line_rate = 11'520}};
+  station.wait(seconds{10});
+  station.forget();
+  station.send(messages::ParamRequestList{.target_system = 1, .target_component = 1});
+  station.wait(seconds{5});
+  EXPECT_EQ(station.all<messages::ParamValue>().size(), 5U * 50 * 2);
+}
+
 TEST_P(ParameterServiceTest, IgnoresRequestsToAnotherSystem) {
   station_.send(messages::ParamRequestList{.target_system = 9, .target_component = 1});
   station_.wait(seconds{1});

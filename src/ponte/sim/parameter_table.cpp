@@ -1,260 +1,85 @@
+#include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/sim/parameters.hpp"
 
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <numeric>
 #include <span>
+#include <string_view>
+#include <utility>
 
-/// The tables of parameters: those that govern what is simulated, and those that ground stations look at. The defaults
-/// are those of ArduCopter and of a PX4 copter; of planes, those of what they share with them.
+/// The tables of parameters. Those of copters are what ArduCopter and PX4 listed in the recordings, written by
+/// tests/recordings/parameters.py.
 namespace ponte::sim {
 namespace {
 
 using enum ParameterType;
-using enum AirframeType;
+namespace messages = mavlink::autopilots;
 
-struct Row {
-  std::string_view name;
-  ParameterType type;
-  double default_value;
-  std::optional<AirframeType> only{};  ///< where the other does not have it, or its default is not known
-};
-
-constexpr auto ardupilot_table = std::to_array<Row>({
-    {"FORMAT_VERSION", int16, 120, copter},
-    {"PILOT_THR_FILT", real32, 0, copter},
-    {"PILOT_TKOFF_ALT", real32, 0, copter},
-    {"RTL_ALT", int32, 1500, copter},
-    {"RTL_CONE_SLOPE", real32, 3, copter},
-    {"RTL_SPEED", int16, 0, copter},
-    {"RTL_ALT_FINAL", int16, 0, copter},
-    {"RTL_CLIMB_MIN", int16, 0, copter},
-    {"RTL_LOIT_TIME", int32, 5000, copter},
-    {"RTL_ALT_TYPE", int8, 0, copter},
-    {"FS_GCS_ENABLE", int8, 0, copter},
-    {"GPS_HDOP_GOOD", int16, 140, copter},
-    {"SUPER_SIMPLE", int8, 0, copter},
-    {"WP_YAW_BEHAVIOR", int8, 2, copter},
-    {"LAND_SPEED", int16, 50, copter},
-    {"LAND_SPEED_HIGH", int16, 0, copter},
-    {"PILOT_SPEED_UP", int16, 250, copter},
-    {"PILOT_ACCEL_Z", int16, 250, copter},
-    {"FS_THR_ENABLE", int8, 1, copter},
-    {"FS_THR_VALUE", int16, 975, copter},
-    {"THR_DZ", int16, 100, copter},
-    {"FLTMODE1", int8, 7, copter},
-    {"FLTMODE2", int8, 9, copter},
-    {"FLTMODE3", int8, 6, copter},
-    {"FLTMODE4", int8, 3, copter},
-    {"FLTMODE5", int8, 5, copter},
-    {"FLTMODE6", int8, 0, copter},
-    {"FLTMODE_CH", int8, 5, copter},
-    {"SIMPLE", int8, 0, copter},
-    {"INITIAL_MODE", int8, 0, copter},
-    {"LOG_BITMASK", int32, 180222, copter},
-    {"FRAME_TYPE", int8, 0, copter},
-    {"ARMING_CHECK", int32, 1},
-    {"ARMING_OPTIONS", int32, 0},
-    {"DISARM_DELAY", int8, 10, copter},
-    {"ANGLE_MAX", int16, 3000, copter},
-    {"LAND_REPOSITION", int8, 1, copter},
-    {"FS_EKF_ACTION", int8, 1, copter},
-    {"FS_EKF_THRESH", real32, 0.8, copter},
-    {"FS_CRASH_CHECK", int8, 1, copter},
-    {"RC1_MIN", int16, 1000},
-    {"RC1_TRIM", int16, 1500},
-    {"RC1_MAX", int16, 2000},
-    {"RC2_MIN", int16, 1000},
-    {"RC2_TRIM", int16, 1500},
-    {"RC2_MAX", int16, 2000},
-    {"RC3_MIN", int16, 1000},
-    {"RC3_TRIM", int16, 1500},
-    {"RC3_MAX", int16, 2000},
-    {"RC4_MIN", int16, 1000},
-    {"RC4_TRIM", int16, 1500},
-    {"RC4_MAX", int16, 2000},
-    {"COMPASS_OFS_X", real32, 5},
-    {"COMPASS_OFS_Y", real32, 13},
-    {"COMPASS_OFS_Z", real32, -18},
-    {"COMPASS_DEC", real32, 0},
-    {"COMPASS_USE", int8, 1},
-    {"COMPASS_DEV_ID", int32, 97539},
-    {"COMPASS_ENABLE", int8, 1},
-    {"INS_GYROFFS_X", real32, 0},
-    {"INS_GYROFFS_Y", real32, 0},
-    {"INS_GYROFFS_Z", real32, 0},
-    {"INS_ACCOFFS_X", real32, 0.001},
-    {"INS_ACCOFFS_Y", real32, 0.001},
-    {"INS_ACCOFFS_Z", real32, 0.001},
-    {"WPNAV_SPEED", real32, 1e+03, copter},
-    {"WPNAV_RADIUS", real32, 2e+02, copter},
-    {"WPNAV_SPEED_UP", real32, 2.5e+02, copter},
-    {"WPNAV_SPEED_DN", real32, 1.5e+02, copter},
-    {"WPNAV_ACCEL", real32, 2.5e+02, copter},
-    {"LOIT_SPEED", real32, 1.25e+03, copter},
-    {"CIRCLE_RADIUS", real32, 1e+03, copter},
-    {"CIRCLE_RATE", real32, 2e+01, copter},
-    {"AHRS_EKF_TYPE", int8, 3},
-    {"MNT1_TYPE", int8, 0},
-    {"BATT_MONITOR", int8, 4},
-    {"BATT_CAPACITY", int32, 3300},
-    {"BATT_LOW_TIMER", int8, 10},
-    {"BATT_FS_VOLTSRC", int8, 0},
-    {"BATT_LOW_VOLT", real32, 10.5},
-    {"BATT_LOW_MAH", real32, 0},
-    {"BATT_CRT_VOLT", real32, 0},
-    {"BATT_CRT_MAH", real32, 0},
-    {"BATT_FS_LOW_ACT", int8, 0},
-    {"BATT_FS_CRT_ACT", int8, 0},
-    {"BATT_ARM_VOLT", real32, 0},
-    {"BATT_ARM_MAH", int32, 0},
-    {"GPS1_TYPE", int8, 1},
-    {"SCHED_LOOP_RATE", int16, 400, copter},
-    {"RALLY_TOTAL", int8, 0},
-    {"RALLY_LIMIT_KM", real32, 0.3},
-    {"RALLY_INCL_HOME", int8, 1},
-    {"EK3_ENABLE", int8, 1},
-    {"MIS_TOTAL", int16, 0},
-    {"MIS_RESTART", int8, 0},
-    {"MIS_OPTIONS", int16, 0},
-    {"FRAME_CLASS", int8, 1, copter},
-    {"RC_OVERRIDE_TIME", real32, 3},
-    {"RC_FS_TIMEOUT", real32, 1},
-    {"LAND_ALT_LOW", int16, 1000, copter},
-    {"FS_VIBE_ENABLE", int8, 1, copter},
-    {"FS_OPTIONS", int32, 16, copter},
-    {"AUTO_OPTIONS", int32, 0, copter},
-    {"GUID_OPTIONS", int32, 0, copter},
-    {"FS_GCS_TIMEOUT", real32, 5, copter},
-    {"RTL_OPTIONS", int32, 0, copter},
-    {"GUID_TIMEOUT", real32, 3, copter},
-    {"FS_DR_ENABLE", int8, 2, copter},
-    {"FS_DR_TIMEOUT", int16, 30, copter},
-    {"FENCE_ENABLE", int8, 0},
-    {"FENCE_TYPE", int8, 7, copter},
-    {"FENCE_ACTION", int8, 1},
-    {"FENCE_ALT_MAX", real32, 1e+02},
-    {"FENCE_RADIUS", real32, 3e+02},
-    {"FENCE_MARGIN", real32, 2},
-    {"FENCE_TOTAL", int8, 0},
-    {"FENCE_ALT_MIN", real32, -1e+01},
-    {"FENCE_AUTOENABLE", int8, 0},
-    {"STAT_BOOTCNT", int16, 1},
-    {"STAT_FLTTIME", int32, 0},
-    {"STAT_RUNTIME", int32, 0},
-    {"SERIAL0_BAUD", int32, 115},
-    {"SERIAL0_PROTOCOL", int8, 2},
-    {"MAV_SYSID", int16, 1},
-    {"MAV_GCS_SYSID", int16, 255},
+constexpr auto arducopter = std::to_array<ParameterInfo>({
+#include "ponte/sim/arducopter_parameters.def"
+});
+constexpr auto px4_copter = std::to_array<ParameterInfo>({
+#include "ponte/sim/px4_copter_parameters.def"
 });
 
-constexpr auto px4_table = std::to_array<Row>({
-    {"BAT1_CAPACITY", real32, -1},
-    {"BAT1_N_CELLS", int32, 4},
-    {"BAT1_SOURCE", int32, 0},
-    {"BAT1_V_CHARGED", real32, 4.05},
-    {"BAT1_V_EMPTY", real32, 3.6},
-    {"BAT_CRIT_THR", real32, 0.07},
-    {"BAT_EMERGEN_THR", real32, 0.05},
-    {"BAT_LOW_THR", real32, 0.15},
-    {"CAL_ACC0_ID", int32, 1310988},
-    {"CAL_GYRO0_ID", int32, 1310988},
-    {"CAL_MAG0_ID", int32, 197388},
-    {"CA_AIRFRAME", int32, 0, copter},
-    {"CA_ROTOR_COUNT", int32, 4, copter},
-    {"CBRK_FLIGHTTERM", int32, 121212},
-    {"CBRK_IO_SAFETY", int32, 22027},
-    {"CBRK_SUPPLY_CHK", int32, 0},
-    {"CBRK_USB_CHK", int32, 197848},
-    {"COM_ARMABLE", int32, 1},
-    {"COM_ARM_BAT_MIN", real32, -1},
-    {"COM_ARM_MIS_REQ", int32, 0},
-    {"COM_ARM_WO_GPS", int32, 1},
-    {"COM_DISARM_LAND", real32, 2},
-    {"COM_DISARM_PRFLT", real32, 1e+01},
-    {"COM_DLL_EXCEPT", int32, 0},
-    {"COM_DL_LOSS_T", int32, 10},
-    {"COM_FAIL_ACT_T", real32, 5},
-    {"COM_FLTMODE1", int32, -1},
-    {"COM_FLTMODE2", int32, -1},
-    {"COM_FLTMODE3", int32, -1},
-    {"COM_FLTMODE4", int32, -1},
-    {"COM_FLTMODE5", int32, -1},
-    {"COM_FLTMODE6", int32, -1},
-    {"COM_FLTT_LOW_ACT", int32, 0},
-    {"COM_FLT_TIME_MAX", int32, -1},
-    {"COM_LOW_BAT_ACT", int32, 0},
-    {"COM_OBL_RC_ACT", int32, 0},
-    {"COM_OF_LOSS_T", real32, 1},
-    {"COM_POS_FS_EPH", real32, 5},
-    {"COM_RCL_EXCEPT", int32, 0},
-    {"COM_RC_IN_MODE", int32, 1},
-    {"COM_RC_LOSS_T", real32, 0.5},
-    {"EKF2_EN", int32, 1},
-    {"EKF2_HGT_REF", int32, 1},
-    {"EKF2_NOAID_TOUT", int32, 5000000},
-    {"FW_AIRSPD_MAX", real32, 20, plane},
-    {"FW_AIRSPD_TRIM", real32, 15, plane},
-    {"FW_T_CLMB_R_SP", real32, 3, plane},
-    {"FW_T_SINK_R_SP", real32, 2, plane},
-    {"GF_ACTION", int32, 2},
-    {"GF_MAX_HOR_DIST", real32, 0},
-    {"GF_MAX_VER_DIST", real32, 0},
-    {"GF_SOURCE", int32, 0},
-    {"MAV_COMP_ID", int32, 1},
-    {"MAV_FWDEXTSP", int32, 1},
-    {"MAV_HASH_CHK_EN", int32, 1},
-    {"MAV_HB_FORW_EN", int32, 1},
-    {"MAV_PROTO_VER", int32, 2},
-    {"MAV_RADIO_TOUT", int32, 5},
-    {"MAV_SYS_ID", int32, 1},
-    {"MAV_TYPE", int32, 2, copter},
-    {"MAV_TYPE", int32, 1, plane},
-    {"MIS_COMMAND_TOUT", real32, 0},
-    {"MIS_MNT_YAW_CTL", int32, 0},
-    {"MIS_TAKEOFF_ALT", real32, 2.5},
-    {"MIS_YAW_ERR", real32, 12},
-    {"MIS_YAW_TMT", real32, -1},
-    {"MNT_MODE_IN", int32, -1},
-    {"MPC_LAND_ALT2", real32, 5, copter},
-    {"MPC_LAND_SPEED", real32, 0.7, copter},
-    {"MPC_TILTMAX_AIR", real32, 45, copter},
-    {"MPC_TKO_SPEED", real32, 1.5, copter},
-    {"MPC_XY_CRUISE", real32, 5, copter},
-    {"MPC_XY_VEL_MAX", real32, 12, copter},
-    {"MPC_Z_VEL_MAX_DN", real32, 1.5, copter},
-    {"MPC_Z_VEL_MAX_UP", real32, 3, copter},
-    {"MPC_Z_V_AUTO_DN", real32, 1.5, copter},
-    {"MPC_Z_V_AUTO_UP", real32, 3, copter},
-    {"NAV_ACC_RAD", real32, 1e+01},
-    {"NAV_DLL_ACT", int32, 0},
-    {"NAV_FW_ALT_RAD", real32, 1e+01, plane},
-    {"NAV_LOITER_RAD", real32, 8e+01},
-    {"NAV_MC_ALT_RAD", real32, 0.8, copter},
-    {"NAV_RCL_ACT", int32, 2},
-    {"RTL_CONE_ANG", int32, 45},
-    {"RTL_DESCEND_ALT", real32, 1e+01},
-    {"RTL_LAND_DELAY", real32, 0},
-    {"RTL_MIN_DIST", real32, 1e+01},
-    {"RTL_RETURN_ALT", real32, 3e+01},
-    {"RTL_TYPE", int32, 0},
-    {"SDLOG_MODE", int32, 1},
-    {"SYS_AUTOCONFIG", int32, 0},
-    {"SYS_AUTOSTART", int32, 10040, copter},
-    {"SYS_HAS_BARO", int32, 1},
-    {"SYS_HAS_GPS", int32, 1},
-    {"SYS_HAS_MAG", int32, 1},
-    {"SYS_PARAM_VER", int32, 1},
+/// Where the recorded vehicles were set up otherwise than the firmware is.
+constexpr auto firmware_defaults = std::to_array<std::pair<std::string_view, double>>({
+    {"FENCE_RADIUS", 300},
+    {"COM_LOW_BAT_ACT", 0},
 });
+
+/// A plane's that a copter has too, with the same default.
+constexpr auto of_ardupilot_planes = std::to_array<std::string_view>({
+    "ARMING_CHECK",  "ARMING_OPTIONS",   "RC1_MIN",         "RC1_TRIM",         "RC1_MAX",          "RC2_MIN",
+    "RC2_TRIM",      "RC2_MAX",          "RC3_MIN",         "RC3_TRIM",         "RC3_MAX",          "RC4_MIN",
+    "RC4_TRIM",      "RC4_MAX",          "COMPASS_OFS_X",   "COMPASS_OFS_Y",    "COMPASS_OFS_Z",    "COMPASS_DEC",
+    "COMPASS_USE",   "COMPASS_DEV_ID",   "COMPASS_ENABLE",  "INS_GYROFFS_X",    "INS_GYROFFS_Y",    "INS_GYROFFS_Z",
+    "INS_ACCOFFS_X", "INS_ACCOFFS_Y",    "INS_ACCOFFS_Z",   "AHRS_EKF_TYPE",    "MNT1_TYPE",        "BATT_MONITOR",
+    "BATT_CAPACITY", "BATT_LOW_TIMER",   "BATT_FS_VOLTSRC", "BATT_LOW_VOLT",    "BATT_LOW_MAH",     "BATT_CRT_VOLT",
+    "BATT_CRT_MAH",  "BATT_FS_LOW_ACT",  "BATT_FS_CRT_ACT", "BATT_ARM_VOLT",    "BATT_ARM_MAH",     "GPS1_TYPE",
+    "RALLY_TOTAL",   "RALLY_LIMIT_KM",   "RALLY_INCL_HOME", "EK3_ENABLE",       "MIS_TOTAL",        "MIS_RESTART",
+    "MIS_OPTIONS",   "RC_OVERRIDE_TIME", "RC_FS_TIMEOUT",   "FENCE_ENABLE",     "FENCE_ACTION",     "FENCE_ALT_MAX",
+    "FENCE_RADIUS",  "FENCE_MARGIN",     "FENCE_TOTAL",     "FENCE_ALT_MIN",    "FENCE_AUTOENABLE", "STAT_BOOTCNT",
+    "STAT_FLTTIME",  "STAT_RUNTIME",     "SERIAL0_BAUD",    "SERIAL0_PROTOCOL", "MAV_SYSID",        "MAV_GCS_SYSID",
+});
+std::vector<ParameterInfo> rows_of(Personality personality, AirframeType type) {
+  const bool is_px4 = personality == Personality::px4;
+  const auto copter = is_px4 ? std::span<const ParameterInfo>{px4_copter} : std::span<const ParameterInfo>{arducopter};
+  std::vector<ParameterInfo> rows{copter.begin(), copter.end()};
+  const auto change = [&](std::string_view name, double value) {
+    if (const auto found = std::ranges::find(rows, name, &ParameterInfo::name); found != rows.end())
+      found->default_value = value;
+  };
+  for (const auto& [name, value] : firmware_defaults) change(name, value);
+  if (type == AirframeType::copter) return rows;
+  if (is_px4) {
+    change("MAV_TYPE", messages::MAV_TYPE_FIXED_WING);
+    return rows;
+  }
+  const auto is_copters = [](const ParameterInfo& each) {
+    return std::ranges::find(of_ardupilot_planes, each.name) == of_ardupilot_planes.end();
+  };
+  std::erase_if(rows, is_copters);
+  return rows;
+}
+
+ParameterTable table_of(Personality personality, AirframeType type) {
+  ParameterTable table{.rows = rows_of(personality, type), .by_name = {}};
+  table.by_name.resize(table.rows.size());
+  std::iota(table.by_name.begin(), table.by_name.end(), std::size_t{});
+  std::ranges::sort(table.by_name, {}, [&](std::size_t index) { return table.rows[index].name; });
+  return table;
+}
 
 }  // namespace
 
-std::vector<ParameterInfo> parameter_table(Personality personality, AirframeType type) {
-  const bool is_px4 = personality == Personality::px4;
-  const auto rows = is_px4 ? std::span<const Row>{px4_table} : std::span<const Row>{ardupilot_table};
-  std::vector<ParameterInfo> table;
-  for (const auto& row : rows)
-    if (!row.only || row.only == type) table.push_back({row.name, row.type, row.default_value});
-  return table;
+const ParameterTable& parameter_table(Personality personality, AirframeType type) {
+  using enum Personality;
+  using enum AirframeType;
+  static const std::array ardupilots{table_of(ardupilot, copter), table_of(ardupilot, plane)};
+  static const std::array px4s{table_of(px4, copter), table_of(px4, plane)};
+  return (personality == px4 ? px4s : ardupilots)[type == plane ? 1 : 0];
 }
 
 }  // namespace ponte::sim

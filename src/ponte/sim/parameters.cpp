@@ -2,12 +2,9 @@
 
 #include "ponte/core/assert.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace ponte::sim {
 namespace {
@@ -31,32 +28,18 @@ double to_type(double value, ParameterType type) {
   return value;
 }
 
-/// "MORE_0000" and so on, which stay where they are.
-std::string_view name_of_another(std::size_t number) {
-  static const auto names = [] {
-    std::vector<std::string> result;
-    for (std::size_t i = 0; i < Parameters::most_more; ++i) result.push_back(fmt::format("MORE_{:04}", i));
-    return result;
-  }();
-  return names[number];
-}
-
 }  // namespace
 
-Parameters::Parameters(Personality personality, AirframeType type, std::size_t more)
-    : table_{parameter_table(personality, type)} {
-  PONTE_ASSERT(more <= most_more);
-  for (std::size_t i = 0; i < more; ++i)
-    table_.push_back({name_of_another(i), ParameterType::real32, static_cast<double>(i)});
-  values_.resize(table_.size());
-  for (std::size_t i = 0; i < table_.size(); ++i) set(i, table_[i].default_value);
+Parameters::Parameters(Personality personality, AirframeType type)
+    : table_{parameter_table(personality, type)}, values_(table_.rows.size()) {
+  for (std::size_t i = 0; i < values_.size(); ++i) set(i, info(i).default_value);
 }
 
 std::optional<std::size_t> Parameters::find(std::string_view name) const {
-  const auto found =
-      std::find_if(table_.begin(), table_.end(), [=](const ParameterInfo& each) { return each.name == name; });
-  if (found == table_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - table_.begin());
+  const auto name_of = [this](std::size_t index) { return info(index).name; };
+  const auto found = std::ranges::lower_bound(table_.by_name, name, {}, name_of);
+  if (found == table_.by_name.end() || name_of(*found) != name) return std::nullopt;
+  return *found;
 }
 
 double Parameters::value(std::string_view name) const {
@@ -66,12 +49,12 @@ double Parameters::value(std::string_view name) const {
 }
 
 double Parameters::default_value(std::size_t index) const {
-  return to_type(table_[index].default_value, table_[index].type);
+  return to_type(info(index).default_value, info(index).type);
 }
 
 void Parameters::set(std::size_t index, double value) {
   PONTE_ASSERT(std::isfinite(value));
-  values_[index] = to_type(value, table_[index].type);
+  values_[index] = to_type(value, info(index).type);
   ++changes_;
 }
 

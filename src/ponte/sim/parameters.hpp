@@ -20,22 +20,26 @@ struct ParameterInfo {
   double default_value;
 };
 
-/// What this autopilot has, in the order of its list. Names, types and defaults are the real ones; what a real plane
-/// has and is not known is not among them.
-[[nodiscard]] std::vector<ParameterInfo> parameter_table(Personality personality, AirframeType type);
+/// What an autopilot has.
+struct ParameterTable {
+  std::vector<ParameterInfo> rows;   ///< in the order of its list
+  std::vector<std::size_t> by_name;  ///< indices of the rows, by their names
+};
+
+/// Names, types and defaults are the real ones. PX4 has those of all airframes; what a real ArduPlane has and is not
+/// known is not in its table.
+[[nodiscard]] const ParameterTable& parameter_table(Personality personality, AirframeType type);
 
 /// The parameters of one autopilot and their values, in the units of the autopilot. Whether a value makes sense is not
 /// examined, as on the real ones; that it fits its type is.
 class Parameters {
  public:
-  /// `more` come behind those of the table, at most `most_more`; nothing depends on them.
-  explicit Parameters(Personality personality, AirframeType type = AirframeType::copter, std::size_t more = 0);
-  static constexpr std::size_t most_more = 9999;
+  explicit Parameters(Personality personality, AirframeType type = AirframeType::copter);
 
-  [[nodiscard]] std::size_t size() const { return table_.size(); }
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
   /// The index of the parameter of this name, or nothing.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
-  [[nodiscard]] const ParameterInfo& info(std::size_t index) const { return table_[index]; }
+  [[nodiscard]] const ParameterInfo& info(std::size_t index) const { return table_.rows[index]; }
   [[nodiscard]] double value(std::size_t index) const { return values_[index]; }
   /// As its type holds it.
   [[nodiscard]] double default_value(std::size_t index) const;
@@ -50,7 +54,7 @@ class Parameters {
   void set(std::string_view name, double value);
 
  private:
-  std::vector<ParameterInfo> table_;
+  const ParameterTable& table_;
   std::vector<double> values_;
   std::uint32_t changes_{};
 };

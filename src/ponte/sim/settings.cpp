@@ -55,7 +55,7 @@ constexpr std::array px4_offboard{FlightMode::position_hold, FlightMode::altitud
 struct SettingRow {
   std::string_view parameter;
   void (*take)(double value, Settings& to);
-  std::optional<AirframeType> only{};  ///< where copters and planes read the same parameter differently
+  std::optional<AirframeType> only{};  ///< where the other has it too, but does not read it, or does otherwise
 };
 
 constexpr auto ardupilot_rows = std::to_array<SettingRow>({
@@ -104,17 +104,28 @@ constexpr auto ardupilot_rows = std::to_array<SettingRow>({
 });
 
 constexpr auto px4_rows = std::to_array<SettingRow>({
-    {"MPC_XY_CRUISE", [](double v, Settings& to) { to.flight.handling.cruise_speed = MetresPerSecond{v}; }},
-    {"FW_AIRSPD_TRIM", [](double v, Settings& to) { to.flight.handling.cruise_speed = MetresPerSecond{v}; }},
-    {"MPC_XY_VEL_MAX", [](double v, Settings& to) { to.flight.handling.most_speed = MetresPerSecond{v}; }},
-    {"FW_AIRSPD_MAX", [](double v, Settings& to) { to.flight.handling.most_speed = MetresPerSecond{v}; }},
-    {"MPC_Z_V_AUTO_UP", [](double v, Settings& to) { to.flight.handling.climb_rate = MetresPerSecond{v}; }},
-    {"FW_T_CLMB_R_SP", [](double v, Settings& to) { to.flight.handling.climb_rate = MetresPerSecond{v}; }},
-    {"MPC_TKO_SPEED", [](double v, Settings& to) { to.flight.handling.take_off_rate = MetresPerSecond{v}; }},
-    {"MPC_Z_V_AUTO_DN", [](double v, Settings& to) { to.flight.handling.descent_rate = MetresPerSecond{v}; }},
-    {"FW_T_SINK_R_SP", [](double v, Settings& to) { to.flight.handling.descent_rate = MetresPerSecond{v}; }},
-    {"MPC_LAND_SPEED", [](double v, Settings& to) { to.flight.handling.landing_rate = MetresPerSecond{v}; }},
-    {"MPC_LAND_ALT2", [](double v, Settings& to) { to.flight.handling.landing_height = Metres{v}; }},
+    {"MPC_XY_CRUISE", [](double v, Settings& to) { to.flight.handling.cruise_speed = MetresPerSecond{v}; },
+     AirframeType::copter},
+    {"FW_AIRSPD_TRIM", [](double v, Settings& to) { to.flight.handling.cruise_speed = MetresPerSecond{v}; },
+     AirframeType::plane},
+    {"MPC_XY_VEL_MAX", [](double v, Settings& to) { to.flight.handling.most_speed = MetresPerSecond{v}; },
+     AirframeType::copter},
+    {"FW_AIRSPD_MAX", [](double v, Settings& to) { to.flight.handling.most_speed = MetresPerSecond{v}; },
+     AirframeType::plane},
+    {"MPC_Z_V_AUTO_UP", [](double v, Settings& to) { to.flight.handling.climb_rate = MetresPerSecond{v}; },
+     AirframeType::copter},
+    {"FW_T_CLMB_R_SP", [](double v, Settings& to) { to.flight.handling.climb_rate = MetresPerSecond{v}; },
+     AirframeType::plane},
+    {"MPC_TKO_SPEED", [](double v, Settings& to) { to.flight.handling.take_off_rate = MetresPerSecond{v}; },
+     AirframeType::copter},
+    {"MPC_Z_V_AUTO_DN", [](double v, Settings& to) { to.flight.handling.descent_rate = MetresPerSecond{v}; },
+     AirframeType::copter},
+    {"FW_T_SINK_R_SP", [](double v, Settings& to) { to.flight.handling.descent_rate = MetresPerSecond{v}; },
+     AirframeType::plane},
+    {"MPC_LAND_SPEED", [](double v, Settings& to) { to.flight.handling.landing_rate = MetresPerSecond{v}; },
+     AirframeType::copter},
+    {"MPC_LAND_ALT2", [](double v, Settings& to) { to.flight.handling.landing_height = Metres{v}; },
+     AirframeType::copter},
     {"NAV_LOITER_RAD", [](double v, Settings& to) { to.flight.handling.loiter_radius = Metres{v}; }},
     {"NAV_ACC_RAD", [](double v, Settings& to) { to.flight.acceptance_radius = Metres{v}; }},
     {"MIS_TAKEOFF_ALT", [](double v, Settings& to) { to.flight.take_off_height = Metres{v}; }},

@@ -59,9 +59,12 @@ TEST(Settings, OfPlanesDoNotListenToTheParametersOfCopters) {
   for (const auto* name : {"RTL_ALT", "WPNAV_SPEED", "FS_GCS_ENABLE", "FS_EKF_ACTION"})
     EXPECT_FALSE(ardupilot.find(name)) << name;
   EXPECT_EQ(settings_of(ardu_plane, ardupilot).flight.handling.cruise_speed, MetresPerSecond{22});
-  EXPECT_EQ(factory(px4_plane).find("MPC_XY_CRUISE"), std::nullopt);
-  EXPECT_EQ(factory(px4_copter).find("FW_AIRSPD_TRIM"), std::nullopt);
-  EXPECT_EQ(settings_of(px4_plane, factory(px4_plane)).flight.handling.cruise_speed, MetresPerSecond{15});
+  auto px4 = factory(px4_plane);  // which has them all
+  px4.set("MPC_XY_CRUISE", 8);
+  EXPECT_EQ(settings_of(px4_plane, px4).flight.handling.cruise_speed, MetresPerSecond{15});
+  px4.set("FW_AIRSPD_TRIM", 18);
+  EXPECT_EQ(settings_of(px4_plane, px4).flight.handling.cruise_speed, MetresPerSecond{18});
+  EXPECT_EQ(settings_of(px4_copter, px4).flight.handling.cruise_speed, MetresPerSecond{8});
 }
 
 TEST(Settings, ReadTheSameNumberAsEachVehicleDoes) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -204,6 +205,22 @@ TEST(TunedFlight, BeginsWithTheParametersOfItsConfigAndTakesThoseOfTheStation) {
   EXPECT_TRUE(station.truth().armed);
   station.wait(seconds{2});
   EXPECT_FALSE(station.truth().armed);
+}
+
+/// MAVSDK sets the height, arms and takes off without waiting for anything.
+TEST(TunedFlight, IsSoAtOnce) {
+  TestStation station{{.personality = Personality::px4, .fly_square = false}};
+  station.wait(seconds{10});
+  station.send(messages::ParamSet{.target_system = 1,
+                                  .target_component = 1,
+                                  .param_id = std::string_view{"MIS_TAKEOFF_ALT"},
+                                  .param_value = 10,
+                                  .param_type = messages::MAV_PARAM_TYPE_REAL32});
+  constexpr float own_choice = std::numeric_limits<float>::quiet_NaN();
+  ASSERT_EQ(station.arm(), unsigned{messages::MAV_RESULT_ACCEPTED});
+  ASSERT_EQ(station.take_off(own_choice), unsigned{messages::MAV_RESULT_ACCEPTED});
+  station.wait(seconds{30});
+  EXPECT_NEAR(-station.place().down, 10, 0.2);
 }
 
 }  // namespace

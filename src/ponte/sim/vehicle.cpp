@@ -1,10 +1,13 @@
 #include "ponte/sim/vehicle.hpp"
 
+#include <cmath>
+
 namespace ponte::sim {
 namespace {
 
 /// How long a reboot keeps it silent before its time begins again.
 constexpr auto reboot_steps = std::chrono::milliseconds{400} / Airframe::step_length;
+constexpr auto radio_interval = std::chrono::seconds{1} / Airframe::step_length;
 
 // Of the capacity; less than where both autopilots call it so.
 constexpr double charge_when_low = 0.1;
@@ -23,7 +26,9 @@ Vehicle::Vehicle(const VehicleConfig& config)
       wind_{config.wind, config.seed},
       faults_{config.faults},
       memory_{config},
-      autopilot_{std::in_place, config, memory_, Timestamp{}} {}
+      autopilot_{std::in_place, config, memory_, Timestamp{}} {
+  if (config.radio) radio_.emplace(config.version);
+}
 
 void Vehicle::on_frame(Timestamp now, const mavlink::FrameView& frame, const mavlink::MessageInfo& /*message*/,
                        Outbox<mavlink::FrameBuffer>& out) {
@@ -58,6 +63,13 @@ void Vehicle::step(Outbox<mavlink::FrameBuffer>& out) {
   }
   airframe_->step(conditions);
   if (autopilot_) autopilot_->report(step_at(steps_), steps_, *airframe_, !has_fault(FaultKind::gps_loss), heard);
+  if (radio_ && steps_ % radio_interval == 0) report_radio(out);
+}
+
+void Vehicle::report_radio(Outbox<mavlink::FrameBuffer>& out) {
+  const auto place = offset_between(config_.start, truth().position);
+  const Metres distance{std::hypot(place.north, place.east, place.down)};
+  radio_->report(distance, !has_fault(FaultKind::link_loss), out);
 }
 
 void Vehicle::begin_faults() {

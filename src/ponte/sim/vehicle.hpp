@@ -9,6 +9,7 @@
 #include "ponte/sim/config.hpp"
 #include "ponte/sim/faults.hpp"
 #include "ponte/sim/onboard_memory.hpp"
+#include "ponte/sim/radio.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -55,6 +56,7 @@ class Vehicle {
   [[nodiscard]] Duration now() const { return step_at(steps_) - Timestamp{}; }
   void step(Outbox<mavlink::FrameBuffer>& out);
   void begin_faults();
+  void report_radio(Outbox<mavlink::FrameBuffer>& out);
   void reboot();
 
   VehicleConfig config_;
@@ -63,6 +65,7 @@ class Vehicle {
   Faults faults_;
   OnboardMemory memory_;
   std::optional<Autopilot> autopilot_;  // nothing while it starts anew
+  std::optional<Radio> radio_;
   std::uint64_t steps_{};
   std::uint64_t boot_step_{};
   Outbox<mavlink::FrameBuffer> unheard_{1};  // what is said while the link is lost

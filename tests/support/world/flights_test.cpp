@@ -67,6 +67,8 @@ class FlightWorld {
     if (is_done && truth().airborne) throw BrokenProperty{"the pilot is done, but the vehicle is in the air"};
   }
 
+  [[nodiscard]] std::uint64_t digest() const { return world_.digest(); }
+
  private:
   [[nodiscard]] const sim::AirframeState& truth() const { return vehicle_->vehicle().truth(); }
 
@@ -95,6 +97,18 @@ class FlightWorld {
   std::size_t link_{};
   int faults_{};
 };
+
+/// Ten times, and with every compiler that the tests are built with.
+TEST(Flights, AreTheSameBytesForTheSameSeed) {
+  constexpr std::array<std::uint64_t, 3> digests{0x107597BCDD00C7EA, 0x314ABCCC58F405B4, 0x9168DC876C0855B5};
+  for (std::size_t i = 0; i < digests.size(); ++i)
+    for (int times = 0; times < 10; ++times) {
+      FlightWorld world{i + 1};
+      Totals totals;
+      world.fly(totals);
+      ASSERT_EQ(world.digest(), digests[i]) << "seed " << i + 1;
+    }
+}
 
 TEST(FlightsSeeded, EndOnTheGroundWhateverHappens) {
   Totals totals;

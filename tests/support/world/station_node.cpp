@@ -61,6 +61,14 @@ void StationNode::on_fleet_facts() {
     ++reboots_;
     client_->on_reboot(now_, vehicle_facts_);
   });
+  tell_of_streams();
+}
+
+void StationNode::tell_of_streams() {
+  if (!client_) return;
+  const auto asked = session_.vehicles().front().last_request;
+  if (asked != streams_asked_) client_->on_streams_asked(asked);
+  streams_asked_ = asked;
 }
 
 void StationNode::speak(Sender& out) {

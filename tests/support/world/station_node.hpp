@@ -48,6 +48,7 @@ class StationNode final : public Participant, private mavlink::FrameSink {
 
   void on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) override;
   void on_fleet_facts();
+  void tell_of_streams();
   void speak(Sender& out);
 
   autopilot::FleetSession session_;
@@ -58,6 +59,7 @@ class StationNode final : public Participant, private mavlink::FrameSink {
   Outbox<autopilot::VehicleFact> vehicle_facts_{256};
   std::vector<TimedFact> facts_;
   int reboots_{};
+  Timestamp streams_asked_{};
   Timestamp now_{};
 };
 
