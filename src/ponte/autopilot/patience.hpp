@@ -21,14 +21,16 @@ class Patience {
   explicit Patience(const Limits& limits) : limits_{limits}, base_{limits.first} {}
 
   /// From a message that was sent once to its answer. What was sent twice measures nothing: nobody knows which of them
-  /// was answered.
+  /// was answered. The other side repeats itself too, and then takes a while longer: so a much shorter time than before
+  /// is believed at once, and a much longer one counts for less.
   void measured(Duration round_trip) {
-    if (!mean_) {
+    if (!mean_ || 2 * round_trip < *mean_) {
       mean_ = round_trip;
       deviation_ = round_trip / 2;
     } else {
-      deviation_ = (3 * deviation_ + std::chrono::abs(*mean_ - round_trip)) / 4;
-      mean_ = (7 * *mean_ + round_trip) / 8;
+      const auto believed = std::min(round_trip, 2 * *mean_ + limits_.least);
+      deviation_ = (3 * deviation_ + std::chrono::abs(*mean_ - believed)) / 4;
+      mean_ = (7 * *mean_ + believed) / 8;
     }
     base_ = std::clamp(*mean_ + 4 * deviation_, limits_.least, limits_.most);
     factor_ = 1;

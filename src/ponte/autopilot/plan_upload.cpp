@@ -14,10 +14,6 @@ constexpr Duration vehicle_gives_up(Stack stack) {
   return stack == Stack::px4 ? std::chrono::seconds{5} : std::chrono::seconds{8};
 }
 
-constexpr Duration vehicle_asks_again(Stack stack) {
-  return stack == Stack::px4 ? std::chrono::milliseconds{250} : std::chrono::milliseconds{1000};
-}
-
 }  // namespace
 
 void PlanUpload::begin(Timestamp now, const PlanRoute& route, std::span<const WireItem> items, Voice& voice) {
@@ -66,10 +62,8 @@ void PlanUpload::on_request(Timestamp now, std::uint16_t item, Voice& voice) {
   const bool was_sent = is_sending_ && item <= item_;
   // It had not got our last answer when it said this.
   if (was_sent && now - sent_ < patience_.round_trip()) return;
-  // One that comes later than the vehicle repeats itself may be a repetition, which measures nothing.
-  const bool is_prompt = !is_sending_ || now - sent_ < vehicle_asks_again(route_.peer.stack);
   const bool is_answer = state_ == TransferState::running && !was_sent && !is_repeated_;
-  if (is_answer && is_prompt) patience_.measured(now - sent_);
+  if (is_answer) patience_.measured(now - sent_);
   state_ = TransferState::running;
   heard_ = now;
   has_begun_ = true;
