@@ -59,8 +59,6 @@ def figures(programs: Path) -> Iterator[Figure]:
     for line in process.stdout:
         measured = json.loads(line)
         case = measured["case"]
-        yield Figure(
-            "upload", case, measured["value"], "s", "model", model(case), target=TARGET, of_ratio=True
-        )  # fmt: skip
+        yield Figure("upload", case, measured["value"], "s", "model", model(case), target=TARGET, of_ratio=True)
     if process.wait() != 0:
         raise SystemExit(f"bench_upload ended with status {process.returncode}")

@@ -68,6 +68,7 @@ void MissionClient::on_ack(Timestamp now, std::uint8_t result, Voice& voice, Out
   if (step_ != Step::clearing) return;
   if (result == messages::MAV_MISSION_ACCEPTED) return read_back(now, voice);
   if (result == messages::MAV_MISSION_INVALID_SEQUENCE) return;  // late news of another transfer
+  was_valid_ = false;                                            // as this may be, too
   fail_with(now, {.failure = MissionFailure::refused, .result = result, .plan = PlanOnBoard::unchanged}, voice, facts);
 }
 

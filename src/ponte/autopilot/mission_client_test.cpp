@@ -404,6 +404,25 @@ TEST_F(MissionClientTest, AsksAgainOnlyForWhatIsMissing) {
   EXPECT_EQ(facts().at(0).kind, Kind::downloaded);
 }
 
+TEST_F(MissionClientTest, ConfirmsWhatWasSentInAnotherWay) {
+  use(Stack::ardupilot_copter);
+  (void)client_->confirm(now_, PlanType::mission, {waypoint(0), waypoint(10)}, voice_);
+  ask_for(0);  // nothing that we could answer
+  EXPECT_THAT(said(), ElementsAre("list 0"));
+  read_back({waypoint(50), waypoint(10)});
+  EXPECT_EQ(facts().at(0).kind, Kind::uploaded);
+  EXPECT_NE(client_->plan(PlanType::mission), nullptr);
+}
+
+TEST_F(MissionClientTest, UploadsWhatWasSentInAnotherWayAndIsNotThere) {
+  use(Stack::ardupilot_copter);
+  (void)client_->confirm(now_, PlanType::mission, {waypoint(0), waypoint(10)}, voice_);
+  read_back({waypoint(50)});
+  EXPECT_THAT(said(), ElementsAre("list 0", "request 0", "ack 0", "count 2"));
+  complete({waypoint(50), waypoint(10)});
+  EXPECT_EQ(facts().at(0).kind, Kind::uploaded);
+}
+
 TEST_F(MissionClientTest, ClearsAndMakesSure) {
   use(Stack::ardupilot_copter);
   (void)client_->clear(now_, PlanType::mission, voice_);
