@@ -42,12 +42,12 @@ class Figure:
 
         verdict = {None: "", True: "pass", False: "MISSED"}[self.passed]
         return (
-            f"{self.bench:8} {self.case:28} {self.value:12.5g} {self.unit:9} {self.peer or '-':18} "
+            f"{self.bench:8} {self.case:36} {self.value:12.5g} {self.unit:9} {self.peer or '-':18} "
             f"{number(self.peer_value, '12.5g'):>12} {number(self.ratio, '8.2f'):>8} "
             f"{number(self.target, '8.2f'):>9} {verdict}"
         )
 
 
 HEADING = (
-    f"{'bench':8} {'case':28} {'value':>12} {'unit':9} {'peer':18} {'peer value':>12} {'ratio':>8} {'target':>9}"
+    f"{'bench':8} {'case':36} {'value':>12} {'unit':9} {'peer':18} {'peer value':>12} {'ratio':>8} {'target':>9}"
 )

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import page
 import planning
+import upload
 from figure import HEADING, Figure
 from mavlink import figures as mavlink
 
@@ -66,6 +67,7 @@ BENCHES: dict[str, Callable[[Path], Iterable[Figure]]] = {
     "sim": sim,
     "page": page.figures,
     "planning": planning.figures,
+    "upload": upload.figures,
 }
 
 

@@ -53,6 +53,16 @@ constexpr bool has(std::uint64_t bits, std::uint8_t bit) { return (bits >> bit &
 
 }  // namespace
 
+SensorBits sensor_bits(const mavlink::autopilots::SysStatus& status) {
+  SensorBits bits{status.onboard_control_sensors_present, status.onboard_control_sensors_enabled,
+                  status.onboard_control_sensors_health};
+  if ((bits.present & mavlink::autopilots::MAV_SYS_STATUS_EXTENSION_USED) == 0) return bits;
+  bits.present |= std::uint64_t{status.onboard_control_sensors_present_extended} << 32U;
+  bits.enabled |= std::uint64_t{status.onboard_control_sensors_enabled_extended} << 32U;
+  bits.healthy |= std::uint64_t{status.onboard_control_sensors_health_extended} << 32U;
+  return bits;
+}
+
 std::span<const SensorRow> sensor_rows() { return rows; }
 
 SubsystemConditions conditions_from(const SensorBits& bits, bool armed) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ponte/mavlink/autopilots/sys_status.hpp"
 #include "ponte/vehicle/vocabulary.hpp"
 
 #include <array>
@@ -17,6 +18,8 @@ struct SensorBits {
   std::uint64_t enabled{};
   std::uint64_t healthy{};
 };
+
+[[nodiscard]] SensorBits sensor_bits(const mavlink::autopilots::SysStatus& status);
 
 /// One bit of `SensorBits`.
 struct SensorRow {

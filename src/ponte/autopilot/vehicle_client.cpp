@@ -27,22 +27,33 @@ VehicleClient::VehicleClient(const Peer& peer)
       camera_{commands_},
       time_sync_{peer},
       link_quality_{peer},
+      health_{peer},
+      missions_{peer},
+      parameters_{peer},
+      files_{peer},
       command_facts_{facts_of_one_call},
       mode_facts_{facts_of_one_call},
       guided_facts_{facts_of_one_call},
       stream_facts_{facts_of_one_call},
       gimbal_facts_{facts_of_one_call},
-      camera_facts_{facts_of_one_call} {}
+      camera_facts_{facts_of_one_call},
+      mission_facts_{facts_of_one_call},
+      parameter_facts_{facts_of_one_call},
+      file_facts_{facts_of_one_call} {}
 
 void VehicleClient::on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice,
                                Outbox<VehicleFact>& facts) {
   link_quality_.on_message(now, frame);
+  health_.on_message(now, frame);
   time_sync_.on_message(now, frame);
   commands_.on_message(now, frame, voice, command_facts_);
   modes_.on_message(now, frame, voice, mode_facts_);
   gimbal_.on_message(now, frame, voice, gimbal_facts_);
   guided_.on_tick(now, guided_facts_);
   stream_.on_tick(now, voice, stream_facts_);
+  missions_.on_message(now, frame, voice, mission_facts_);
+  parameters_.on_message(now, frame, voice, parameter_facts_);
+  files_.on_message(now, frame, voice, file_facts_);
   pass_on(now, voice, facts);
 }
 
@@ -53,6 +64,9 @@ void VehicleClient::on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& fa
   stream_.on_tick(now, voice, stream_facts_);
   gimbal_.on_tick(now, gimbal_facts_);
   time_sync_.on_tick(now, voice);
+  missions_.on_tick(now, voice, mission_facts_);
+  parameters_.on_tick(now, voice, parameter_facts_);
+  files_.on_tick(now, voice, file_facts_);
   pass_on(now, voice, facts);
 }
 
@@ -65,14 +79,16 @@ void VehicleClient::on_streams_asked(Timestamp now) {
 
 Timestamp VehicleClient::next_deadline() const {
   auto next = time_sync_.next_deadline();
-  for (const auto& each : {commands_.next_deadline(), modes_.next_deadline(), guided_.next_deadline(),
-                           stream_.next_deadline(), gimbal_.next_deadline()})
+  for (const auto& each :
+       {commands_.next_deadline(), modes_.next_deadline(), guided_.next_deadline(), stream_.next_deadline(),
+        gimbal_.next_deadline(), missions_.next_deadline(), parameters_.next_deadline(), files_.next_deadline()})
     if (each && *each < next) next = *each;
   return next;
 }
 
 void VehicleClient::on_reboot(Timestamp now, Outbox<VehicleFact>& facts) {
   link_quality_.on_reboot();
+  health_.on_reboot();
   time_sync_.on_reboot();
   stream_.on_reboot(now, stream_facts_);
   guided_.on_reboot(now, guided_facts_);
@@ -80,6 +96,9 @@ void VehicleClient::on_reboot(Timestamp now, Outbox<VehicleFact>& facts) {
   camera_.on_reboot(now, camera_facts_);
   modes_.on_reboot(now, mode_facts_);
   commands_.on_reboot(command_facts_);
+  missions_.on_reboot(now);
+  parameters_.on_reboot();
+  files_.on_reboot(now);
   tell(command_facts_, facts);
   tell(mode_facts_, facts);
   tell_the_rest(facts);
@@ -105,6 +124,9 @@ void VehicleClient::tell_the_rest(Outbox<VehicleFact>& facts) {
   tell(stream_facts_, facts);
   tell(gimbal_facts_, facts);
   tell(camera_facts_, facts);
+  tell(mission_facts_, facts);
+  tell(parameter_facts_, facts);
+  tell(file_facts_, facts);
 }
 
 }  // namespace ponte::autopilot

@@ -2,10 +2,14 @@
 
 #include "ponte/autopilot/camera_client.hpp"
 #include "ponte/autopilot/command_client.hpp"
+#include "ponte/autopilot/file_client.hpp"
 #include "ponte/autopilot/gimbal_client.hpp"
 #include "ponte/autopilot/guided_flight.hpp"
+#include "ponte/autopilot/health.hpp"
 #include "ponte/autopilot/link_quality.hpp"
+#include "ponte/autopilot/mission_client.hpp"
 #include "ponte/autopilot/mode_client.hpp"
+#include "ponte/autopilot/parameter_client.hpp"
 #include "ponte/autopilot/setpoint_stream.hpp"
 #include "ponte/autopilot/time_sync.hpp"
 
@@ -15,7 +19,8 @@
 namespace ponte::autopilot {
 
 /// What the services of one vehicle have to tell.
-using VehicleFact = std::variant<CommandFact, ModeFact, GuidedFact, StreamFact, GimbalFact, CameraFact>;
+using VehicleFact = std::variant<CommandFact, ModeFact, GuidedFact, StreamFact, GimbalFact, CameraFact, MissionFact,
+                                 ParameterFact, FileFact>;
 
 /// All services of one vehicle, so that they need not be called one by one. Requests are made of each service itself;
 /// what becomes of them is told here. Give it every frame that comes from the vehicle, and the time.
@@ -43,7 +48,11 @@ class VehicleClient {
   [[nodiscard]] GimbalClient& gimbal() { return gimbal_; }
   [[nodiscard]] CameraClient& camera() { return camera_; }
   [[nodiscard]] const TimeSync& time_sync() const { return time_sync_; }
+  [[nodiscard]] const Health& health() const { return health_; }
   [[nodiscard]] const LinkQuality& link_quality() const { return link_quality_; }
+  [[nodiscard]] MissionClient& missions() { return missions_; }
+  [[nodiscard]] ParameterClient& parameters() { return parameters_; }
+  [[nodiscard]] FileClient& files() { return files_; }
 
  private:
   void pass_on(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
@@ -57,6 +66,10 @@ class VehicleClient {
   CameraClient camera_;
   TimeSync time_sync_;
   LinkQuality link_quality_;
+  Health health_;
+  MissionClient missions_;
+  ParameterClient parameters_;
+  FileClient files_;
   // Of one call; empty from one to the next.
   Outbox<CommandFact> command_facts_;
   Outbox<ModeFact> mode_facts_;
@@ -64,6 +77,9 @@ class VehicleClient {
   Outbox<StreamFact> stream_facts_;
   Outbox<GimbalFact> gimbal_facts_;
   Outbox<CameraFact> camera_facts_;
+  Outbox<MissionFact> mission_facts_;
+  Outbox<ParameterFact> parameter_facts_;
+  Outbox<FileFact> file_facts_;
 };
 
 }  // namespace ponte::autopilot

@@ -85,16 +85,6 @@ bool concerns_leg(const mavlink::FrameView& frame) {
          mavlink::carries<messages::HomePosition>(frame);
 }
 
-SensorBits sensor_bits(const messages::SysStatus& status) {
-  SensorBits bits{status.onboard_control_sensors_present, status.onboard_control_sensors_enabled,
-                  status.onboard_control_sensors_health};
-  if ((bits.present & messages::MAV_SYS_STATUS_EXTENSION_USED) == 0) return bits;
-  bits.present |= std::uint64_t{status.onboard_control_sensors_present_extended} << 32U;
-  bits.enabled |= std::uint64_t{status.onboard_control_sensors_enabled_extended} << 32U;
-  bits.healthy |= std::uint64_t{status.onboard_control_sensors_health_extended} << 32U;
-  return bits;
-}
-
 /// What there is room for: the low digits tell vehicles apart.
 Text<15> last_digits(std::string_view digits) { return Text<15>{digits.substr(digits.size() - 15)}; }
 

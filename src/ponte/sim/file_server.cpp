@@ -26,14 +26,14 @@ FileServer::FileServer(VirtualFiles& files) : files_{files} {
 }
 
 void FileServer::send(const FtpMessage& content, Requester to, Speaker& speaker) {
-  messages::FileTransferProtocol message{.target_system = to.system.value, .target_component = to.component.value};
-  write_ftp(content, message);
-  speaker.send(message);
+  speaker.send(messages::FileTransferProtocol{.target_system = to.system.value,
+                                              .target_component = to.component.value,
+                                              .payload = mavlink::write_ftp(content)});
 }
 
 void FileServer::on_message(Timestamp now, const messages::FileTransferProtocol& message, Requester from,
                             Speaker& speaker) {
-  const auto request = read_ftp(message);
+  const auto request = mavlink::read_ftp(message.payload);
   if (last_ && last_->to == from && last_->request == request.sequence)  // our answer was lost
     return send(last_->answer, from, speaker);
 
@@ -80,6 +80,7 @@ FtpMessage FileServer::answer(Timestamp now, const FtpMessage& request, Requeste
       case FtpOpcode::write_file: return in_session([&](Session& session) { return write(request, session); });
       case FtpOpcode::calculate_crc32: return checksum(request, reply);
       case FtpOpcode::burst_read_file: return FtpError::not_found;
+      case FtpOpcode::remove_file:
       case FtpOpcode::ack:
       case FtpOpcode::nak: break;
     }

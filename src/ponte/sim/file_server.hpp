@@ -1,7 +1,8 @@
 #pragma once
 
 #include "ponte/core/time.hpp"
-#include "ponte/sim/ftp_message.hpp"
+#include "ponte/mavlink/autopilots/file_transfer_protocol.hpp"
+#include "ponte/mavlink/ftp_message.hpp"
 #include "ponte/sim/speaker.hpp"
 #include "ponte/sim/virtual_files.hpp"
 
@@ -12,6 +13,10 @@
 #include <vector>
 
 namespace ponte::sim {
+
+using mavlink::FtpError;
+using mavlink::FtpMessage;
+using mavlink::FtpOpcode;
 
 /// ArduPilot's server of MAVFTP, for the files that it makes up. The client chooses the number of its session. What is
 /// not used for three seconds may give way to another client's session, and ends after 20; what was written takes

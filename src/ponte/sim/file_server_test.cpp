@@ -23,14 +23,14 @@ class FileServerTest : public ::testing::Test {
   void resend(const FtpMessage& request) {
     station_.forget();
     last_request_ = request;
-    messages::FileTransferProtocol message{.target_system = 1, .target_component = 1};
-    write_ftp(request, message);
-    station_.send(message);
+    station_.send(messages::FileTransferProtocol{
+        .target_system = 1, .target_component = 1, .payload = mavlink::write_ftp(request)});
   }
 
   std::vector<FtpMessage> answers() const {
     std::vector<FtpMessage> result;
-    for (const auto& each : station_.all<messages::FileTransferProtocol>()) result.push_back(read_ftp(each));
+    for (const auto& each : station_.all<messages::FileTransferProtocol>())
+      result.push_back(mavlink::read_ftp(each.payload));
     return result;
   }
   FtpMessage answer(FtpOpcode opcode, std::string_view data, std::uint8_t session = 0, std::uint32_t offset = 0) {

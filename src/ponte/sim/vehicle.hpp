@@ -42,6 +42,8 @@ class Vehicle {
 
   /// What is true at the last step, whatever the sensors say.
   [[nodiscard]] const AirframeState& truth() const { return airframe_->state(); }
+  /// What is kept on board, whatever is said of it.
+  [[nodiscard]] const OnboardMemory& memory() const { return memory_; }
   /// The steps that have gone by, `Airframe::step_length` each.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
 

@@ -215,6 +215,22 @@ TEST_P(EachVehicle, PointsItsGimbalForWhoeverIsInControl) {
   EXPECT_FALSE(gimbal.point(now(), pointing, voice));
 }
 
+TEST_P(EachVehicle, KnowsHowWellItIs) {
+  const auto now = field.world.now();
+  const auto& health = field.client().health();
+  ASSERT_TRUE(health.estimator(now) && health.satellites(now) && health.battery(now) && health.sensors(now));
+  EXPECT_TRUE(health.estimator(now)->attitude && health.estimator(now)->position);
+  EXPECT_LT(health.estimator(now)->worst_ratio, 1);
+  EXPECT_GE(health.satellites(now)->fix_type, 3);
+  EXPECT_GT(health.battery(now)->remaining.value_or(Percent{}).value, 90);
+  field.vehicle.vehicle().inject({sim::FaultKind::gps_loss, now - Timestamp{} + seconds{1}, {}});
+  field.world.run_for(seconds{30});
+  EXPECT_LT(health.satellites(field.world.now())->fix_type, 3);
+  field.world.cut(field.link, field.world.now() + seconds{30});
+  field.world.run_for(seconds{20});
+  EXPECT_FALSE(health.battery(field.world.now())) << "nothing has come for too long";
+}
+
 TEST_P(EachVehicle, KnowsItsClockAndHowGoodTheLinkIs) {
   const auto& client = field.client();
   field.world.run_for(seconds{20});
@@ -346,7 +362,14 @@ class CommandWorld {
                 .z = 30,
                 .frame = messages::MAV_FRAME_GLOBAL_RELATIVE_ALT},
     };
-    const auto& command = commands[random_.below(commands.size())];
+    // Some at once, so that those of one number have to wait for one another.
+    for (auto left = 1 + (random_.chance(0.2) ? random_.below(4) : 0); left > 0; --left)
+      command(commands[random_.below(commands.size())]);
+  }
+
+  void command(const Command& command) {
+    auto voice = field_.station.voice();
+    const auto now = field_.world.now();
     const auto request = field_.client().commands().request(now, command, voice);
     if (!request) return;
     commands_.push_back({*request, command});

@@ -1,10 +1,10 @@
-#include "ponte/sim/ftp_message.hpp"
+#include "ponte/mavlink/ftp_message.hpp"
 
 #include "ponte/core/assert.hpp"
 
 #include <algorithm>
 
-namespace ponte::sim {
+namespace ponte::mavlink {
 
 Bytes FtpMessage::bytes() const { return Bytes{data}.first(std::min<std::size_t>(size, data_size_max)); }
 
@@ -20,8 +20,8 @@ void FtpMessage::set_bytes(Bytes bytes) {
   std::copy(bytes.begin(), bytes.end(), data.begin());
 }
 
-FtpMessage read_ftp(const mavlink::autopilots::FileTransferProtocol& message) {
-  const auto payload = std::as_bytes(std::span{message.payload});
+FtpMessage read_ftp(const FtpPayload& from) {
+  const auto payload = std::as_bytes(std::span{from});
   FtpMessage result{
       .sequence = u16_le(payload, 0),
       .session = u8(payload, 2),
@@ -35,8 +35,9 @@ FtpMessage read_ftp(const mavlink::autopilots::FileTransferProtocol& message) {
   return result;
 }
 
-void write_ftp(const FtpMessage& content, mavlink::autopilots::FileTransferProtocol& message) {
-  const auto payload = std::as_writable_bytes(std::span{message.payload});
+FtpPayload write_ftp(const FtpMessage& content) {
+  FtpPayload result{};
+  const auto payload = std::as_writable_bytes(std::span{result});
   store_le(payload.data(), content.sequence);
   payload[2] = std::byte{content.session};
   payload[3] = static_cast<std::byte>(content.opcode);
@@ -46,6 +47,7 @@ void write_ftp(const FtpMessage& content, mavlink::autopilots::FileTransferProto
   payload[7] = std::byte{0};
   store_le(&payload[8], content.offset);
   std::copy(content.data.begin(), content.data.end(), payload.begin() + FtpMessage::header_size);
+  return result;
 }
 
-}  // namespace ponte::sim
+}  // namespace ponte::mavlink

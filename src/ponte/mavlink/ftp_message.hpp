@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ponte/core/bytes.hpp"
-#include "ponte/mavlink/autopilots/file_transfer_protocol.hpp"
 
 #include <array>
 #include <cstddef>
@@ -9,8 +8,9 @@
 #include <string_view>
 
 /// What is inside a FILE_TRANSFER_PROTOCOL message (MAVFTP).
-namespace ponte::sim {
+namespace ponte::mavlink {
 
+/// The requests that Ponte makes or answers, and the two kinds of answers.
 enum class FtpOpcode : std::uint8_t {
   none = 0,
   terminate_session = 1,
@@ -20,6 +20,7 @@ enum class FtpOpcode : std::uint8_t {
   read_file = 5,
   create_file = 6,
   write_file = 7,
+  remove_file = 8,
   open_write_only = 11,
   calculate_crc32 = 14,
   burst_read_file = 15,
@@ -30,11 +31,13 @@ enum class FtpOpcode : std::uint8_t {
 /// Why a request was refused; the first byte of a NAK's data.
 enum class FtpError : std::uint8_t {
   fail = 1,
+  fail_errno = 2,
   bad_size = 3,
   bad_session = 4,
   no_session_free = 5,
   end_of_file = 6,
   unknown_command = 7,
+  file_exists = 8,
   protected_file = 9,
   not_found = 10,
 };
@@ -60,7 +63,10 @@ struct FtpMessage {
   void set_bytes(Bytes bytes);
 };
 
-[[nodiscard]] FtpMessage read_ftp(const mavlink::autopilots::FileTransferProtocol& message);
-void write_ftp(const FtpMessage& content, mavlink::autopilots::FileTransferProtocol& message);
+/// The payload field of FILE_TRANSFER_PROTOCOL.
+using FtpPayload = std::array<std::uint8_t, FtpMessage::header_size + FtpMessage::data_size_max>;
 
-}  // namespace ponte::sim
+[[nodiscard]] FtpMessage read_ftp(const FtpPayload& payload);
+[[nodiscard]] FtpPayload write_ftp(const FtpMessage& content);
+
+}  // namespace ponte::mavlink
