@@ -17,6 +17,9 @@ void add_status_action(CLI::App& command, Action& chosen);
 void add_flight_actions(CLI::App& command, Action& chosen);
 void add_guided_actions(CLI::App& command, Action& chosen);
 void add_gimbal_actions(CLI::App& command, Action& chosen);
+void add_mission_actions(CLI::App& command, Action& chosen);
+void add_parameter_actions(CLI::App& command, Action& chosen);
+void add_file_actions(CLI::App& command, Action& chosen);
 void add_command_action(CLI::App& command, Action& chosen);
 
 /// A subcommand that takes no values.

@@ -38,6 +38,9 @@ void add_vehicle(CLI::App& app) {
   add_flight_actions(*command, options->action);
   add_guided_actions(*command, options->action);
   add_gimbal_actions(*command, options->action);
+  add_mission_actions(*command, options->action);
+  add_parameter_actions(*command, options->action);
+  add_file_actions(*command, options->action);
   add_command_action(*command, options->action);
   command->require_subcommand(1);
   command->footer("Example:\n  ponte vehicle udpin://127.0.0.1:14550 takeoff 20");

@@ -78,6 +78,104 @@ std::string_view to_text(CameraError error) {
   return "";
 }
 
+std::string_view to_text(MissionRefusal refusal) {
+  switch (refusal) {
+    case MissionRefusal::busy: return "another transfer is under way";
+    case MissionRefusal::too_many_items: return "there are more items than could be read back";
+    case MissionRefusal::needs_mavlink_2: return "MAVLink 1 has neither fences nor rally points";
+    case MissionRefusal::not_in_mavlink_09: return "the vehicle speaks MAVLink 0.9, whose missions are other ones";
+  }
+  return "";
+}
+
+std::string_view to_text(MissionFailure failure) {
+  switch (failure) {
+    case MissionFailure::none: return "";
+    case MissionFailure::refused: return "the vehicle refuses";
+    case MissionFailure::occupied: return "somebody else transfers a plan, or it is being flown";
+    case MissionFailure::silent: return "the vehicle does not answer";
+    case MissionFailure::differs: return "what is on board is not what was sent";
+    case MissionFailure::too_many: return "there are more items on board than can be read";
+    case MissionFailure::unverified: return "the vehicle has taken it, but does not give it back";
+  }
+  return "";
+}
+
+std::string_view to_text(PlanOnBoard plan) {
+  switch (plan) {
+    case PlanOnBoard::as_requested: return "";
+    case PlanOnBoard::unchanged: return "what was there before";
+    case PlanOnBoard::restored: return "what was there before, put back";
+    case PlanOnBoard::unknown: return "perhaps a mixture of old and new";
+  }
+  return "";
+}
+
+std::string_view to_text(ParameterRefusal refusal) {
+  switch (refusal) {
+    case ParameterRefusal::busy: return "another request is under way";
+    case ParameterRefusal::bad_name: return "expected a name of 1 to 16 characters";
+    case ParameterRefusal::bad_value: return "expected a number that the parameter's type has";
+    case ParameterRefusal::not_in_mavlink_09: return "the vehicle speaks MAVLink 0.9, whose parameters are other ones";
+  }
+  return "";
+}
+
+std::string_view to_text(ParameterFailure failure) {
+  switch (failure) {
+    case ParameterFailure::none: return "";
+    case ParameterFailure::silent: return "the vehicle does not answer; an ArduPilot says nothing of unknown names";
+    case ParameterFailure::refused: return "the vehicle refuses";
+    case ParameterFailure::differs: return "the vehicle keeps another value";
+    case ParameterFailure::bad_value: return "its type has no such value";
+  }
+  return "";
+}
+
+std::string_view to_text(FileRefusal refusal) {
+  switch (refusal) {
+    case FileRefusal::busy: return "another request is under way";
+    case FileRefusal::bad_path: return "expected a path that fits into a message";
+    case FileRefusal::too_large: return "the file is too large";
+    case FileRefusal::not_in_mavlink_09: return "the vehicle speaks MAVLink 0.9, which has no file transfer";
+  }
+  return "";
+}
+
+std::string_view to_text(FileFailure failure) {
+  switch (failure) {
+    case FileFailure::none: return "";
+    case FileFailure::refused: return "the vehicle refuses";
+    case FileFailure::silent: return "the vehicle does not answer; not every autopilot has files";
+    case FileFailure::too_large: return "the file is too large";
+  }
+  return "";
+}
+
+std::string_view to_text(mavlink::FtpError error) {
+  switch (error) {
+    case mavlink::FtpError::fail: return "failed";
+    case mavlink::FtpError::fail_errno: return "failed with an error of its system";
+    case mavlink::FtpError::bad_size: return "wrong size";
+    case mavlink::FtpError::bad_session: return "no such session";
+    case mavlink::FtpError::no_session_free: return "no session is free";
+    case mavlink::FtpError::end_of_file: return "end of the file";
+    case mavlink::FtpError::unknown_command: return "unknown command";
+    case mavlink::FtpError::file_exists: return "the file exists";
+    case mavlink::FtpError::protected_file: return "the file is protected";
+    case mavlink::FtpError::not_found: return "not found";
+  }
+  return "";
+}
+
+std::string mission_result_name(std::uint8_t mav_mission_result) {
+  return mavlink::words_of(mavlink::autopilots::enum_info::MAV_MISSION_RESULT, mav_mission_result);
+}
+
+std::string parameter_error_name(std::uint8_t mav_param_error) {
+  return mavlink::words_of(mavlink::autopilots::enum_info::MAV_PARAM_ERROR, mav_param_error);
+}
+
 std::string result_name(std::uint8_t mav_result) {
   return mavlink::words_of(mavlink::autopilots::enum_info::MAV_RESULT, mav_result);
 }

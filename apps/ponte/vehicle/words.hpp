@@ -15,6 +15,19 @@ namespace ponte::app {
 [[nodiscard]] std::string_view to_text(autopilot::GimbalError error);
 [[nodiscard]] std::string_view to_text(autopilot::CameraError error);
 
+[[nodiscard]] std::string_view to_text(autopilot::MissionRefusal refusal);
+[[nodiscard]] std::string_view to_text(autopilot::MissionFailure failure);
+/// What is on board after an upload that has failed; empty where that is no question.
+[[nodiscard]] std::string_view to_text(autopilot::PlanOnBoard plan);
+[[nodiscard]] std::string_view to_text(autopilot::ParameterRefusal refusal);
+[[nodiscard]] std::string_view to_text(autopilot::ParameterFailure failure);
+[[nodiscard]] std::string_view to_text(autopilot::FileRefusal refusal);
+[[nodiscard]] std::string_view to_text(autopilot::FileFailure failure);
+[[nodiscard]] std::string_view to_text(mavlink::FtpError error);
+
+/// "MAV_MISSION_NO_SPACE", "MAV_PARAM_ERROR_READ_ONLY", or nothing.
+[[nodiscard]] std::string mission_result_name(std::uint8_t mav_mission_result);
+[[nodiscard]] std::string parameter_error_name(std::uint8_t mav_param_error);
 /// "MAV_RESULT_DENIED", or the number of a result that has no name.
 [[nodiscard]] std::string result_name(std::uint8_t mav_result);
 
