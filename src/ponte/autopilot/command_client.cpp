@@ -1,6 +1,5 @@
 #include "ponte/autopilot/command_client.hpp"
 
-#include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/command_cancel.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"

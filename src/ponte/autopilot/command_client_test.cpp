@@ -316,6 +316,16 @@ TEST(CommandClient, EndsEverythingWhenTheVehicleStartsAnew) {
   EXPECT_FALSE(bench.client.next_deadline());
 }
 
+TEST(CommandClient, SendsNoMoreCopiesToAVehicleThatHasGoneToMavlink09) {
+  Bench bench;
+  bench.ask(start, arm);
+  bench.station.set_version(mavlink::Version::v0_9);
+  bench.station.take<messages::CommandLong>();
+  bench.run_until(start + 1h);
+  EXPECT_TRUE(bench.station.is_silent());
+  EXPECT_THAT(bench.kinds(), ElementsAre(Kind::no_answer));
+}
+
 TEST(CommandClient, SaysWhyItCannotEvenSend) {
   Bench old{mavlink::Version::v0_9};
   EXPECT_EQ(old.client.request(start, arm, old.station.voice()), fail(CommandError::version_0_9));

@@ -78,6 +78,7 @@ sim::ParameterSetting with_gimbal(sim::Personality personality) {
 sim::VehicleConfig quiet(sim::Personality personality, sim::AirframeType type = sim::AirframeType::copter) {
   sim::VehicleConfig config{.personality = personality, .type = type, .fly_square = false};
   config.parameters = {with_gimbal(personality)};
+  config.radio = true;
   return config;
 }
 
@@ -240,6 +241,7 @@ TEST_P(EachVehicle, KnowsItsClockAndHowGoodTheLinkIs) {
   EXPECT_LE(reading->round_trip, milliseconds{60});
   EXPECT_LE(std::chrono::abs(reading->offset), reading->round_trip / 2) << "it was switched on when this began";
   EXPECT_EQ(client.link_quality().loss(field.world.now()), Percent{0});
+  EXPECT_TRUE(client.link_quality().radio(field.world.now()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Services, EachVehicle,
