@@ -265,10 +265,13 @@ struct Totals {
 class CommandWorld {
  public:
   explicit CommandWorld(std::uint64_t seed)
-      : random_{seed}, config_{with_gimbal_on(random_vehicle(random_))}, field_{seed, config_, random_radio(random_)} {
+      : random_{seed},
+        config_{fitted_out(random_vehicle(random_), random_)},
+        field_{seed, config_, random_radio(random_)} {
     load_mission(field_.vehicle.vehicle(), field_.world.now(), random_mission(random_, config_));
     plan_faults();
-    if (random_.chance(0.5)) invite_rival();
+    // In MAVLink 1 nobody could tell whose answer is whose.
+    if (config_.version == mavlink::Version::v2 && random_.chance(0.5)) invite_rival();
   }
 
   void live(Totals& totals) {
@@ -285,8 +288,9 @@ class CommandWorld {
   }
 
  private:
-  static sim::VehicleConfig with_gimbal_on(sim::VehicleConfig config) {
+  static sim::VehicleConfig fitted_out(sim::VehicleConfig config, Random& random) {
     config.parameters = {with_gimbal(config.personality)};
+    if (random.chance(0.2)) config.version = mavlink::Version::v1;
     return config;
   }
 
