@@ -136,7 +136,11 @@ Result<GimbalRequestId, GimbalError> GimbalClient::look_at(Timestamp now, const 
   if (!place) return ask(now, GimbalWish::look_at, {.number = messages::MAV_CMD_DO_SET_ROI_NONE}, voice);
   if (!is_valid(*place)) return fail(GimbalError::invalid);
   Command command{.number = messages::MAV_CMD_DO_SET_ROI_LOCATION};
-  set_place(command, *place);
+  // Not all releases of PX4 look at the frame.
+  const bool is_px4 = commands_.peer().stack == Stack::px4;
+  const auto understood = is_px4 ? above_sea(*place, commands_.home_altitude_msl()) : place;
+  if (!understood) return fail(GimbalError::home_unknown);
+  set_place(command, *understood);
   return ask(now, GimbalWish::look_at, command, voice);
 }
 

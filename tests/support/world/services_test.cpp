@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 // The services of a station against the simulated vehicles.
 namespace ponte::world {
@@ -140,6 +141,30 @@ TEST_P(EachVehicle, GoesWhereItIsGuidedTo) {
   const auto faster = guided.change_speed(field.world.now(), MetresPerSecond{is_plane() ? 25.0 : 12.0}, voice);
   ASSERT_TRUE(faster);
   EXPECT_EQ(field.outcome(*faster).kind, GuidedFact::Kind::done);
+}
+
+TEST_P(EachVehicle, TurnsItsNoseAndFliesRoundAPlaceIfItCan) {
+  take_off();
+  auto voice = field.station.voice();
+  auto& guided = field.client().guided();
+  const auto turned = guided.turn_to(field.world.now(), radians_from_degrees(120), voice);
+  ASSERT_EQ(turned.has_value(), !is_plane());
+  if (turned) {
+    EXPECT_EQ(field.outcome(*turned).kind, GuidedFact::Kind::done);
+    field.world.run_for(seconds{20});
+    EXPECT_NEAR(field.truth().attitude.heading.value, radians_from_degrees(120).value, 0.05);
+  }
+  const auto& home = GetParam().start;
+  const double radius = is_plane() ? 120 : 40;
+  const auto round =
+      guided.orbit(field.world.now(), {home.latitude, home.longitude, {Metres{60}}}, Metres{radius}, {}, voice);
+  const bool can_orbit = is_plane() || GetParam().personality == sim::Personality::px4;
+  ASSERT_EQ(round.has_value(), can_orbit);
+  if (!round) return;
+  EXPECT_EQ(field.outcome(*round).kind, GuidedFact::Kind::done);
+  field.world.run_for(seconds{90});
+  EXPECT_NEAR(std::hypot(place().north, place().east), radius, radius / 4);
+  EXPECT_NEAR(place().down, -60, 3);
 }
 
 TEST_P(EachVehicle, IsSteeredAndStopsWhenNobodySteers) {
