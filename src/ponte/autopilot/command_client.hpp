@@ -50,12 +50,11 @@ enum class CommandError : std::uint8_t {
 
 /// How long there is patience for what.
 struct CommandTimes {
-  Duration answer{std::chrono::seconds{1}};  ///< then it is sent again; both MAVSDK and QGroundControl wait 0.5 to 3 s
-  std::uint8_t attempts{5};                  ///< of a command that may be repeated; any other has one
-  Duration progress{
-      std::chrono::seconds{10}};              ///< until the next IN_PROGRESS, which both autopilots send at least 1 Hz
-  Duration running{std::chrono::minutes{2}};  ///< of all that is in progress, e.g. a calibration
-  Duration late{std::chrono::seconds{2}};     ///< an answer takes no longer: round trip of a radio with full buffers
+  Duration answer{std::chrono::seconds{1}};     ///< then it is sent again; MAVSDK waits 0.5 s
+  std::uint8_t attempts{5};                     ///< of a command that may be repeated; any other has one
+  Duration progress{std::chrono::seconds{10}};  ///< until the next IN_PROGRESS; a guess, as MAVLink names none
+  Duration running{std::chrono::minutes{2}};    ///< of all that is in progress, e.g. a calibration
+  Duration late{std::chrono::seconds{2}};       ///< an answer takes no longer: round trip of a radio with full buffers
   Duration reason_before{std::chrono::seconds{2}};        ///< a text of a refusal came so long before it,
   Duration reason_after{std::chrono::milliseconds{500}};  ///< or, in PX4 0.35 s, after it (recordings)
   Duration cancel{std::chrono::seconds{1}};               ///< then it is said again that it be cancelled
