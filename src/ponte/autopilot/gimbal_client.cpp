@@ -136,7 +136,11 @@ Result<GimbalRequestId, GimbalError> GimbalClient::look_at(Timestamp now, const 
   if (!place) return ask(now, GimbalWish::look_at, {.number = messages::MAV_CMD_DO_SET_ROI_NONE}, voice);
   if (!is_valid(*place)) return fail(GimbalError::invalid);
   Command command{.number = messages::MAV_CMD_DO_SET_ROI_LOCATION};
-  set_place(command, *place);
+  // Not all releases of PX4 look at the frame.
+  const bool is_px4 = commands_.peer().stack == Stack::px4;
+  const auto understood = is_px4 ? above_sea(*place, commands_.home_altitude_msl()) : place;
+  if (!understood) return fail(GimbalError::home_unknown);
+  set_place(command, *understood);
   return ask(now, GimbalWish::look_at, command, voice);
 }
 
@@ -160,6 +164,7 @@ void GimbalClient::on_message(Timestamp now, const mavlink::FrameView& frame, co
   }
   if (mavlink::carries<messages::GimbalManagerStatus>(frame)) {
     const auto status = mavlink::decode<messages::GimbalManagerStatus>(frame);
+    if (kind_ == Kind::manager && status.gimbal_device_id != device_) return;  // of another gimbal
     is_in_control_ = status.primary_control_sysid == voice.system().value &&
                      status.primary_control_compid == voice.component().value;
     status_at_ = now;

@@ -22,6 +22,7 @@ enum class GimbalError : std::uint8_t {
   not_in_control,  ///< somebody else has, or nobody: `take_control` first
   not_supported,   ///< the old mounts know angles from the nose only
   invalid,         ///< not a number, or out of range
+  home_unknown,    ///< the altitude of home has not come yet, which PX4 has to be told
   not_sent,        ///< see `CommandError`: too much is under way, or MAVLink 0.9
 };
 

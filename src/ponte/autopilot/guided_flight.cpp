@@ -40,8 +40,10 @@ GuidedFlight::GuidedFlight(CommandClient& commands, const ModeClient& modes)
 Result<GuidedRequestId, GuidedError> GuidedFlight::go_to(Timestamp now, const Target& target,
                                                          std::optional<MetresPerSecond> speed, Voice& voice) {
   if (!is_valid(target) || !is_valid(speed)) return fail(GuidedError::invalid);
+  const auto understood = as_understood(target);
+  if (!understood) return fail(GuidedError::home_unknown);
   auto command = reposition();
-  set_place(command, target);
+  set_place(command, *understood);
   if (speed) command.param1 = static_cast<float>(speed->value);
   const auto result = ask(now, GuidedWish::go_to, command, voice);
   if (result) target_ = target;
@@ -61,11 +63,13 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::orbit(Timestamp now, const Ta
     return ask(now, GuidedWish::orbit, command, voice);
   }
   if (stack() != Stack::px4) return fail(GuidedError::not_supported);
+  const auto understood = as_understood(centre);
+  if (!understood) return fail(GuidedError::home_unknown);
   Command command{.number = messages::MAV_CMD_DO_ORBIT,
                   .param1 = static_cast<float>(radius.value),
                   .param2 = speed ? static_cast<float>(speed->value) : nan,
                   .param4 = nan};
-  set_place(command, centre);
+  set_place(command, *understood);
   return ask(now, GuidedWish::orbit, command, voice);
 }
 
@@ -112,6 +116,11 @@ Result<GuidedRequestId, GuidedError> GuidedFlight::change_speed(Timestamp now, M
                         .param2 = static_cast<float>(speed.value),
                         .param3 = -1};  // the throttle as it is
   return ask(now, GuidedWish::change_speed, command, voice);
+}
+
+/// Not all releases of PX4 look at the frame of a command: to it all altitudes are above mean sea level.
+std::optional<Target> GuidedFlight::as_understood(const Target& target) const {
+  return stack() == Stack::px4 ? above_sea(target, commands_.home_altitude_msl()) : std::optional{target};
 }
 
 /// PX4 flies to a place given by a command in its hold mode.

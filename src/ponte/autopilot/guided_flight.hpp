@@ -61,6 +61,7 @@ class GuidedFlight {
  private:
   Result<GuidedRequestId, GuidedError> ask(Timestamp now, GuidedWish wish, const Command& command, Voice& voice);
   [[nodiscard]] std::optional<std::uint32_t> mode_of(GuidedWish wish) const;
+  [[nodiscard]] std::optional<Target> as_understood(const Target& target) const;
   [[nodiscard]] std::optional<std::uint32_t> guided_mode() const;
   [[nodiscard]] Stack stack() const { return commands_.peer().stack; }
 

@@ -141,10 +141,14 @@ TEST(GuidedFlight, TurnsACopterFromNorthByTheShorterWay) {
 
 TEST(GuidedFlight, FliesRoundAPlaceInPx4AndInAPlane) {
   Bench px4{Stack::px4};
+  EXPECT_EQ(px4.guided.orbit(start, place, Metres{30}, {}, px4.station.voice()), fail(GuidedError::home_unknown));
+  px4.hear(start, messages::HomePosition{.altitude = 500'000});
   ASSERT_TRUE(px4.guided.orbit(start, place, Metres{-30}, MetresPerSecond{4}, px4.station.voice()));
   const auto orbit = px4.sent_int();
   EXPECT_EQ(orbit.command, messages::MAV_CMD_DO_ORBIT);
   EXPECT_EQ(orbit.param1, -30);
+  EXPECT_EQ(orbit.frame, messages::MAV_FRAME_GLOBAL) << "PX4 means altitudes above mean sea level";
+  EXPECT_EQ(orbit.z, 540);
   px4.answer(start, messages::MAV_CMD_DO_ORBIT);
   px4.heartbeat(start + 1s, px4_orbit);
   EXPECT_THAT(px4.told(start + 1s), SizeIs(1));

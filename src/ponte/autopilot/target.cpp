@@ -15,6 +15,12 @@ bool is_valid(const Target& target) {
          std::abs(target.longitude.value) <= std::numbers::pi && std::isfinite(target.height.value.value);
 }
 
+std::optional<Target> above_sea(const Target& target, std::optional<Metres> home_altitude_msl) {
+  if (target.height.above == Height::Above::sea) return target;
+  if (!home_altitude_msl) return std::nullopt;
+  return Target{target.latitude, target.longitude, {*home_altitude_msl + target.height.value, Height::Above::sea}};
+}
+
 void set_place(Command& command, const Target& target) {
   const bool is_above_home = target.height.above == Height::Above::home;
   command.x = degrees_from_radians(target.latitude);

@@ -4,6 +4,7 @@
 #include "ponte/core/quantity.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace ponte::autopilot {
 
@@ -22,6 +23,8 @@ struct Target {
 
 /// Whether it is a place on Earth.
 [[nodiscard]] bool is_valid(const Target& target);
+/// The same place with its height above mean sea level; nothing if that of home, which it counts from, is not known.
+[[nodiscard]] std::optional<Target> above_sea(const Target& target, std::optional<Metres> home_altitude_msl);
 /// Makes it the place of the command, with its frame.
 void set_place(Command& command, const Target& target);
 
