@@ -88,13 +88,14 @@ class Station {
       case 11: return count(client_.gimbal().point(now_, {.pitch = Radians{-1}}, voice_).has_value());
       case 12: return count(client_.camera().take_picture(now_, voice_).has_value());
       case 13: client_.on_reboot(now_, facts_); return examine();
+      case 14: return sender_.set_version(static_cast<mavlink::Version>(choice / 16 % 3));
       default: break;
     }
     const auto request = client_.commands().request(
         now_, {.number = static_cast<std::uint16_t>(choice), .x = 1, .y = 1, .frame = messages::MAV_FRAME_GLOBAL},
         voice_);
     count(request.has_value());
-    if (request && choice % 16 == 15) client_.commands().cancel(now_, *request, voice_);
+    if (request && choice >= 64) client_.commands().cancel(now_, *request, voice_);
   }
 
   [[nodiscard]] int open() const { return open_; }

@@ -92,6 +92,40 @@ def text(kind: int, path: str) -> bytes:
     return bytes((kind, 0)) + (REPOSITORY / path).read_bytes()
 
 
+def heard(message: Any, wait: int = 25) -> bytes:
+    """A message of the vehicle in the input of fuzz_autopilot_services, which numbers those that it names; 4 ms steps."""
+    names = (
+        "COMMAND_ACK", "HEARTBEAT", "EXTENDED_SYS_STATE", "GLOBAL_POSITION_INT", "HOME_POSITION", "STATUSTEXT",
+        "TIMESYNC", "GIMBAL_MANAGER_INFORMATION", "GIMBAL_MANAGER_STATUS",
+    )  # fmt: skip
+    payload = bytes(message.pack(version_2.MAVLink(None, srcSystem=1, srcComponent=1)))[10:-2]
+    return bytes((wait, 0, names.index(message.get_type()), 0, len(payload))) + payload
+
+
+def wished(number: int) -> bytes:
+    return bytes((25, number << 1 | 1))
+
+
+def accepted(command: int, result: int = 0) -> bytes:
+    return heard(version_2.MAVLink_command_ack_message(command, result, 0, 0, 255, 190))
+
+
+def services(stack: int, mode: int) -> bytes:
+    """A vehicle takes off, goes somewhere, is steered, points its gimbal, and refuses to be disarmed."""
+    take_off, go_to, steer, find_manager, take_control, point, disarm = 2, 6, 8, 9, 10, 11, 1
+    def state(armed: bool) -> bytes:
+        return heard(version_2.MAVLink_heartbeat_message(2, 3, 209 if armed else 81, mode, 4, 3))
+
+    home = version_2.MAVLink_home_position_message(-300689800, -511217900, 50000, 0, 0, 0, [1, 0, 0, 0], 0, 0, 0)
+    parts = [heard(home), state(False), wished(take_off), accepted(176), accepted(400), accepted(22), state(True)]
+    parts += [heard(version_2.MAVLink_extended_sys_state_message(0, 2)), wished(go_to), accepted(192, 9), accepted(192)]
+    parts += [state(True), wished(steer), accepted(176), state(True), wished(find_manager), accepted(512)]
+    parts += [heard(version_2.MAVLink_gimbal_manager_information_message(5, 7, 1, -1, 1, -1, 1, -3, 3))]
+    parts += [wished(take_control), accepted(1001), wished(point), accepted(1000), wished(disarm), accepted(400, 4)]
+    parts += [heard(version_2.MAVLink_statustext_message(2, b"Disarm: in the air"))]
+    return bytes((stack,)) + b"".join(parts)
+
+
 def corpus() -> dict[str, bytes]:
     unknown = bytes.fromhex("fd03000000ffbe5634120102030000")
     first, second = frames(version_1), frames(version_2)
@@ -99,6 +133,8 @@ def corpus() -> dict[str, bytes]:
     times = [1_700_000_000_000_000 + 20_000 * index for index in range(len(second))]
     log = tlog.packed(zip(times, second))
     return {
+        "autopilot_services/ardupilot": services(0, 4),
+        "autopilot_services/px4": services(2, 0x0304_0000),
         "mavlink_parser/versions": RAW + b"\x07" + b"".join(mixed),
         "mavlink_parser/signed_unknown_and_noise": RAW + b"\x40" + b"console text\n".join([*signed(2, 1), unknown, *second]),
         "mavlink_parser/cut_short": RAW + b"\x00" + b"".join(frame[:-3] + frame for frame in second),

@@ -7,6 +7,7 @@
 #include "route/route.hpp"
 #include "sim/sim.hpp"
 #include "translate/translate.hpp"
+#include "vehicle/vehicle.hpp"
 #include "vsm/vsm.hpp"
 
 #include <fmt/format.h>
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   ponte::app::add_route(app);
   ponte::app::add_sim(app);
   ponte::app::add_translate(app);
+  ponte::app::add_vehicle(app);
   ponte::app::add_vsm(app);
   if (argc == 1) {
     fmt::print(stderr, "{}", app.help());

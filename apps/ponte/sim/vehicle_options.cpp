@@ -1,6 +1,7 @@
 #include "sim/vehicle_options.hpp"
 
 #include "common/failure.hpp"
+#include "common/number_list.hpp"
 #include "ponte/sim/parameters.hpp"
 
 #include <fmt/format.h>
@@ -10,29 +11,6 @@
 #include <optional>
 
 namespace ponte::app {
-namespace {
-
-/// Numbers with commas between them, from `least` to `most` of them, or nothing.
-std::optional<std::vector<double>> numbers_in(const std::string& text, std::size_t least, std::size_t most) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  while (numbers.size() < most) {
-    double number{};
-    const auto [next, error] = std::from_chars(at, end, number);
-    if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
-    numbers.push_back(number);
-    at = next;
-    if (at == end) break;
-    if (*at != ',') return std::nullopt;
-    ++at;
-  }
-  if (at != end || text.ends_with(',') || numbers.size() < least) return std::nullopt;
-  return numbers;
-}
-
-}  // namespace
-
 sim::Position position_from(const std::string& text) {
   const auto numbers = numbers_in(text, 3, 3);
   if (!numbers) throw UsageError{fmt::format("--home {}: expected LAT,LON,ALT in degrees and metres", text)};

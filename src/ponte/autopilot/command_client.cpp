@@ -1,6 +1,5 @@
 #include "ponte/autopilot/command_client.hpp"
 
-#include "ponte/core/assert.hpp"
 #include "ponte/mavlink/autopilots/command_cancel.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/home_position.hpp"
@@ -119,10 +118,17 @@ void CommandClient::send(Timestamp now, Request& request, Voice& voice) {
   ++request.attempts;
   request.state = State::asked;
   request.deadline = now + times_.answer;
-  on_sent(now, request.command.number);
+  note_copy(now, request.command.number);
 }
 
-void CommandClient::on_sent(Timestamp now, std::uint16_t number) {
+void CommandClient::on_sent_elsewhere(Timestamp now, std::uint16_t number) {
+  note_copy(now, number);
+  const auto found = find(number);
+  if (found == requests_.end() || found->state != State::asked) return;
+  if (!found->is_withdrawn && may_be_repeated(found->command, peer_.stack)) found->state = State::waits;
+}
+
+void CommandClient::note_copy(Timestamp now, std::uint16_t number) {
   auto& traffic = traffic_of(number);
   if (now >= traffic.last_sent + times_.late) traffic.unanswered = 0;
   ++traffic.unanswered;

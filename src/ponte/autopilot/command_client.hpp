@@ -70,8 +70,7 @@ struct CommandTimes {
 /// A late answer is not taken for that to the next request of the same number: that is sent only when all copies of the
 /// one before are answered, or when `late` has passed. The protocol cannot tell an answer that takes even longer; nor
 /// to whom an answer is, if the vehicle does not fill in the target, as in MAVLink 1, and another station asks for the
-/// same at the same time; nor to which of two it is, if another part of the program sends the same command in our name
-/// while a request is under way.
+/// same at the same time.
 class CommandClient {
  public:
   static constexpr std::size_t capacity = 16;
@@ -86,9 +85,9 @@ class CommandClient {
   /// Nobody wants to know any more what becomes of it: no more copies are sent, and no fact is told.
   void withdraw(Timestamp now, CommandId request);
 
-  /// A copy of this command has been sent in our name, by whatever part of the program: its answer is not for a request
-  /// that begins later.
-  void on_sent(Timestamp now, std::uint16_t number);
+  /// Another part of the program has sent this command in our name: its answer is for none of our requests. One that is
+  /// under way is sent again after it, if it may be repeated.
+  void on_sent_elsewhere(Timestamp now, std::uint16_t number);
 
   /// Any frame with the right checksum; those of others are passed over.
   void on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<CommandFact>& facts);
@@ -133,6 +132,7 @@ class CommandClient {
   Traffic& traffic_of(std::uint16_t number);
   void begin_what_waits(Timestamp now, Voice& voice);
   void send(Timestamp now, Request& request, Voice& voice);
+  void note_copy(Timestamp now, std::uint16_t number);
   void send_cancel(Timestamp now, Request& request, Voice& voice);
   void on_answer(Timestamp now, const mavlink::FrameView& frame, Voice& voice, Outbox<CommandFact>& facts);
   [[nodiscard]] static bool is_of_before(const Request& request, std::uint8_t result, unsigned unanswered);

@@ -173,6 +173,18 @@ TEST(CommandClient, WaitsNoLongerForALateAnswerThanOneTakes) {
   EXPECT_THAT(bench.station.take<messages::CommandLong>(), SizeIs(1));
 }
 
+TEST(CommandClient, DoesNotTakeTheAnswerToWhatWasSentElsewhereInOurNameForItsOwn) {
+  Bench bench;
+  bench.ask(start, arm);
+  bench.client.on_sent_elsewhere(start + 10ms, arm.number);
+  bench.answer(start + 100ms, arm, messages::MAV_RESULT_FAILED);
+  EXPECT_EQ(bench.station.take<messages::CommandLong>().size(), 1U);
+  bench.answer(start + 110ms, arm, messages::MAV_RESULT_FAILED);
+  EXPECT_EQ(bench.station.take<messages::CommandLong>().size(), 1U) << "both are answered, one of them is ours";
+  bench.answer(start + 200ms, arm, messages::MAV_RESULT_ACCEPTED);
+  EXPECT_THAT(bench.kinds(), ElementsAre(Kind::accepted));
+}
+
 TEST(CommandClient, DoesNotTakeARepeatedFrameForAnotherAnswer) {
   Bench bench;
   const messages::CommandAck ack{.command = arm.number, .target_system = 255, .target_component = 190};
@@ -314,6 +326,16 @@ TEST(CommandClient, EndsEverythingWhenTheVehicleStartsAnew) {
   bench.client.on_reboot(bench.facts);
   EXPECT_THAT(bench.kinds(), ElementsAre(Kind::rebooted, Kind::rebooted, Kind::accepted));
   EXPECT_FALSE(bench.client.next_deadline());
+}
+
+TEST(CommandClient, SendsNoMoreCopiesToAVehicleThatHasGoneToMavlink09) {
+  Bench bench;
+  bench.ask(start, arm);
+  bench.station.set_version(mavlink::Version::v0_9);
+  bench.station.take<messages::CommandLong>();
+  bench.run_until(start + 1h);
+  EXPECT_TRUE(bench.station.is_silent());
+  EXPECT_THAT(bench.kinds(), ElementsAre(Kind::no_answer));
 }
 
 TEST(CommandClient, SaysWhyItCannotEvenSend) {

@@ -21,7 +21,7 @@ class FlightWatch {
   void forget() { *this = FlightWatch{peer_}; }
 
   /// A HEARTBEAT with a valid mode has come.
-  [[nodiscard]] bool is_heard() const { return heartbeat_at_.has_value(); }
+  [[nodiscard]] bool is_heard(Timestamp since) const { return heartbeat_at_ && *heartbeat_at_ > since; }
   [[nodiscard]] bool has_mode(std::uint32_t custom_mode, Timestamp since) const;
   [[nodiscard]] bool has_other_mode(std::uint32_t custom_mode, Timestamp since) const;
   [[nodiscard]] bool is_armed(bool armed, Timestamp since) const;

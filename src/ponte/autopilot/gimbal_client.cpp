@@ -160,6 +160,7 @@ void GimbalClient::on_message(Timestamp now, const mavlink::FrameView& frame, co
   }
   if (mavlink::carries<messages::GimbalManagerStatus>(frame)) {
     const auto status = mavlink::decode<messages::GimbalManagerStatus>(frame);
+    if (kind_ == Kind::manager && status.gimbal_device_id != device_) return;  // of another gimbal
     is_in_control_ = status.primary_control_sysid == voice.system().value &&
                      status.primary_control_compid == voice.component().value;
     status_at_ = now;

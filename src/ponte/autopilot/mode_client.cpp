@@ -73,7 +73,7 @@ Result<ModeRequestId, ModeError> ModeClient::disarm(Timestamp now, Voice& voice)
 Result<ModeRequestId, ModeError> ModeClient::take_off(Timestamp now, std::optional<Metres> height, Voice& voice) {
   const auto stack = commands_.peer().stack;
   if (stack == Stack::unknown) return fail(ModeError::unknown_stack);
-  if (watch_.is_in_the_air(Timestamp{})) return fail(ModeError::in_the_air);
+  if (is_in_the_air(now)) return fail(ModeError::in_the_air);
   if (height && !(std::isfinite(height->value) && height->value > 0)) return fail(ModeError::height_invalid);
   if (!height && stack == Stack::ardupilot_copter) return fail(ModeError::needs_height);
   if (height && stack == Stack::ardupilot_plane) return fail(ModeError::has_own_height);
@@ -89,7 +89,7 @@ Result<ModeRequestId, ModeError> ModeClient::take_off(Timestamp now, std::option
 }
 
 Result<ModeRequestId, ModeError> ModeClient::start_mission(Timestamp now, Voice& voice) {
-  if (watch_.is_in_the_air(Timestamp{})) return change_mode(now, ModeKind::mission, voice);
+  if (is_in_the_air(now)) return change_mode(now, ModeKind::mission, voice);
   return begin_flight(now, {.wish = ModeWish::start_mission}, voice);
 }
 
@@ -106,7 +106,7 @@ Result<ModeRequestId, ModeError> ModeClient::begin_flight(Timestamp now, Plan pl
 }
 
 Result<ModeRequestId, ModeError> ModeClient::begin(Timestamp now, const Plan& plan, Voice& voice) {
-  if (!watch_.is_heard()) return fail(ModeError::not_heard);
+  if (!watch_.is_heard(now - times_.news)) return fail(ModeError::not_heard);
   if (superseded_.size() == most_superseded) return fail(ModeError::not_sent);
   if (running_) {
     if (running_->phase == Phase::asked) commands_.withdraw(now, running_->command);

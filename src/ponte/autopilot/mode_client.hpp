@@ -39,7 +39,7 @@ struct ModeFact {
 
 /// Why a wish is not even begun.
 enum class ModeError : std::uint8_t {
-  not_heard,       ///< no HEARTBEAT has come yet
+  not_heard,       ///< no HEARTBEAT has come for `ModeTimes::news`, or none yet
   no_such_mode,    ///< in this autopilot
   unknown_stack,   ///< nobody knows how this autopilot takes off
   in_the_air,      ///< it has taken off already
@@ -54,12 +54,14 @@ enum class ModeError : std::uint8_t {
 struct ModeTimes {
   Duration mode{std::chrono::seconds{10}};    ///< told by HEARTBEAT once a second, of which some get lost
   Duration flight{std::chrono::seconds{40}};  ///< spinning up, or a run of a plane, and the first metres
+  Duration news{std::chrono::seconds{10}};    ///< what was heard longer ago says nothing of where the vehicle is
   Duration doubt{std::chrono::seconds{3}};    ///< for a step without an answer, or refused only as it was repeated
 };
 
 /// Changes modes, arms, and lets flights begin, each autopilot in its own way, and watches that it comes true. One wish
-/// is under way at a time, the newest: whoever wishes to return does not wait for a take-off. Nothing is ever forced
-/// past the checks of the vehicle.
+/// is under way at a time, the newest: whoever wishes to return does not wait for a take-off, only, at the most
+/// `CommandTimes::late`, until an older wish for a mode cannot arrive behind the new one. Nothing is ever forced past
+/// the checks of the vehicle.
 ///
 /// A mission begins from the ground in ArduCopter by GUIDED, arming and MISSION_START with parameters 0, in ArduPlane
 /// and PX4 by arming in the mission's mode; in the air by the mode alone. A take-off is, in ArduCopter, NAV_TAKEOFF in
@@ -120,6 +122,7 @@ class ModeClient {
   Result<ModeRequestId, ModeError> begin(Timestamp now, const Plan& plan, Voice& voice);
   Result<ModeRequestId, ModeError> begin_flight(Timestamp now, Plan plan, Voice& voice);
   bool ask(Timestamp now, Voice& voice);
+  [[nodiscard]] bool is_in_the_air(Timestamp now) const { return watch_.is_in_the_air(now - times_.news); }
   [[nodiscard]] Command command_for(const Plan& plan, ModeStep step) const;
   [[nodiscard]] bool is_effect_seen() const;
   [[nodiscard]] bool is_step_seen() const;

@@ -261,6 +261,7 @@ TEST(ModeClient, SaysWhyItDoesNotEvenBegin) {
   EXPECT_EQ(copter.modes.change_mode(start, "AUTO.RTL", voice), fail(ModeError::no_such_mode));
   EXPECT_EQ(copter.modes.take_off(start, {}, voice), fail(ModeError::needs_height));
   EXPECT_EQ(copter.modes.take_off(start, Metres{-1}, voice), fail(ModeError::height_invalid));
+  EXPECT_EQ(copter.modes.arm(start + 11s, voice), fail(ModeError::not_heard)) << "that was long ago";
   copter.landed_state(start, messages::MAV_LANDED_STATE_IN_AIR);
   EXPECT_EQ(copter.modes.take_off(start, Metres{20}, voice), fail(ModeError::in_the_air));
 

@@ -34,7 +34,7 @@ Result<void, StreamError> SetpointStream::steer(Timestamp now, const Motion& mot
   if (peer_.stack != Stack::ardupilot_copter && peer_.stack != Stack::px4) return fail(StreamError::not_supported);
   if (!is_valid(motion)) return fail(StreamError::invalid);
   if (phase_ == Phase::none || phase_ == Phase::holding) {
-    if (!modes_.watch().is_in_the_air(Timestamp{})) return fail(StreamError::on_the_ground);
+    if (!modes_.watch().is_in_the_air(now - ModeTimes{}.news)) return fail(StreamError::on_the_ground);
     if (peer_.stack == Stack::px4) {
       forget_mode_request(now);
       enter(now, Phase::before_switch, times_.before_switch);

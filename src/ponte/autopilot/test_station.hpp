@@ -19,6 +19,7 @@ class Station {
       : sender_{version, station_system, station_component} {}
 
   Voice& voice() { return voice_; }
+  void set_version(mavlink::Version version) { sender_.set_version(version); }
 
   /// The messages of this type that have been sent since the last call; all others are forgotten, too.
   template <mavlink::Message M>

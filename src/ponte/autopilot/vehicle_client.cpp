@@ -72,9 +72,9 @@ void VehicleClient::on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& fa
 
 void VehicleClient::on_streams_asked(Timestamp now) {
   for (std::size_t i = 0; i < message_rates_for(peer().stack).size(); ++i)
-    commands_.on_sent(now, messages::MAV_CMD_SET_MESSAGE_INTERVAL);
+    commands_.on_sent_elsewhere(now, messages::MAV_CMD_SET_MESSAGE_INTERVAL);
   for (std::size_t i = 0; i < single_messages_for(peer().stack).size(); ++i)
-    commands_.on_sent(now, messages::MAV_CMD_REQUEST_MESSAGE);
+    commands_.on_sent_elsewhere(now, messages::MAV_CMD_REQUEST_MESSAGE);
 }
 
 Timestamp VehicleClient::next_deadline() const {

@@ -23,7 +23,7 @@ using VehicleFact = std::variant<CommandFact, ModeFact, GuidedFact, StreamFact, 
                                  ParameterFact, FileFact>;
 
 /// All services of one vehicle, so that they need not be called one by one. Requests are made of each service itself;
-/// what becomes of them is told here. Give it every frame that comes from the vehicle, and the time.
+/// what becomes of them is told here. Give it every frame of its link, for radios speak there too, and the time.
 class VehicleClient {
  public:
   explicit VehicleClient(const Peer& peer);

@@ -21,7 +21,7 @@ class Voice {
   Voice(mavlink::FrameSender& sender, LinkId link, Outbox<OutgoingFrame>& out)
       : sender_{sender}, link_{link}, out_{out} {}
 
-  /// What MAVLink 1 cannot carry is not sent.
+  /// What the version cannot carry is not sent.
   template <mavlink::Message M>
   void send(const M& message) {
     if (const auto frame = sender_.frame(message)) out_.push({*frame, link_});

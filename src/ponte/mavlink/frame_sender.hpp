@@ -29,10 +29,12 @@ class FrameSender {
   [[nodiscard]] Version version() const { return header_.version; }
   void set_version(Version version) { header_.version = version; }
 
-  /// The next frame; nothing for a message with an id above 255 in MAVLink 1, which cannot carry it.
+  /// The next frame; nothing for a message that the version cannot carry: one with an id above 255 in MAVLink 1, or one
+  /// of MAVLink 0.9 in another version, or the other way round.
   template <Message M>
   [[nodiscard]] std::optional<FrameBuffer> frame(const M& message) {
     if (header_.version == Version::v1 && M::info.id.value > 255) return {};
+    if (M::info.is_v09() != (header_.version == Version::v0_9)) return {};
     FrameBuffer frame;
     const auto size = encode(message, header_, frame.buffer);
     PONTE_ASSERT(size);
@@ -41,7 +43,7 @@ class FrameSender {
     return frame;
   }
 
-  /// What MAVLink 1 cannot carry is not sent.
+  /// What the version cannot carry is not sent.
   template <Message M>
   void send(const M& message, Outbox<FrameBuffer>& out) {
     if (const auto next = frame(message)) out.push(*next);

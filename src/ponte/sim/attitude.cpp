@@ -1,5 +1,7 @@
 #include "ponte/sim/attitude.hpp"
 
+#include "ponte/core/degrees.hpp"
+
 #include <cmath>
 
 namespace ponte::sim {
@@ -27,6 +29,11 @@ Attitude attitude_for_thrust(const NorthEastDown& thrust, Radians heading) {
   const double right = thrust.east * cos_heading - thrust.north * sin_heading;
   const double up = -thrust.down;
   return {Radians{std::atan2(right, std::sqrt(ahead * ahead + up * up))}, Radians{std::atan2(-ahead, up)}, heading};
+}
+
+Radians heading_after_turn(Radians heading, double degrees, double side, bool is_relative) {
+  const double angle = radians_from_degrees(degrees).value;
+  return Radians{wrapped(is_relative ? heading.value + (side < 0 ? -angle : angle) : angle)};
 }
 
 BodyVector body_rates(const Attitude& before, const Attitude& after, double seconds) {

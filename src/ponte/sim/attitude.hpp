@@ -30,6 +30,10 @@ struct Attitude {
 /// direction.
 [[nodiscard]] Attitude attitude_for_thrust(const NorthEastDown& thrust, Radians heading);
 
+/// The heading that CONDITION_YAW asks for: an angle in degrees from north, or, if it is relative, from where the nose
+/// points to the left (`side` is negative) or the right.
+[[nodiscard]] Radians heading_after_turn(Radians heading, double degrees, double side, bool is_relative);
+
 /// Angular rates (rad/s) about the body's axes that turn `before` into `after`, a short time later.
 [[nodiscard]] BodyVector body_rates(const Attitude& before, const Attitude& after, double seconds);
 

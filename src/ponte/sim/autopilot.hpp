@@ -89,6 +89,9 @@ class Autopilot {
   [[nodiscard]] std::uint8_t set_mode(float base_mode, std::optional<std::uint32_t> custom_mode, Call& call);
   [[nodiscard]] std::uint8_t enter(FlightMode mode, Call& call);
   [[nodiscard]] std::uint8_t reposition(const Command& command, Call& call);
+  [[nodiscard]] std::uint8_t orbit(const Command& command, Call& call);
+  [[nodiscard]] std::optional<Position> place_or_here(const Command& command) const;
+  [[nodiscard]] std::uint8_t turn(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t start_mission(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t pause_or_continue(const Command& command, Call& call);
   [[nodiscard]] std::uint8_t set_mission_item(const Command& command, Call& call);

@@ -32,6 +32,8 @@ std::uint8_t Autopilot::execute(const Command& command, Call& call) {
     case messages::MAV_CMD_NAV_LOITER_UNLIM: return enter(FlightMode::loiter, call);
     case messages::MAV_CMD_DO_SET_MODE: return do_set_mode(command, call);
     case messages::MAV_CMD_DO_REPOSITION: return reposition(command, call);
+    case messages::MAV_CMD_DO_ORBIT: return orbit(command, call);
+    case messages::MAV_CMD_CONDITION_YAW: return turn(command, call);
     case messages::MAV_CMD_DO_CHANGE_SPEED: return change_speed(command, call);
     case messages::MAV_CMD_DO_SET_HOME: return set_home(command, call);
     case messages::MAV_CMD_MISSION_START: return start_mission(command, call);

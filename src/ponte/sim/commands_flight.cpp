@@ -72,27 +72,56 @@ std::uint8_t Autopilot::enter(FlightMode mode, Call& call) {
   return not_now();
 }
 
-/// ArduPilot takes it as COMMAND_INT only. Parameter 1 is a speed, 3 a plane's radius, 4 where the nose points.
-std::uint8_t Autopilot::reposition(const Command& command, Call& call) {
-  if (!command.frame && !is_px4()) return messages::MAV_RESULT_UNSUPPORTED;
+/// What PX4 is not told of the place (NaN) is as it is now.
+std::optional<Position> Autopilot::place_or_here(const Command& command) const {
   const auto here = snapshot_.readings.position;
   const auto frame = command.frame.value_or(messages::MAV_FRAME_GLOBAL);
   const auto altitude = std::isnan(command.z) ? std::optional{here.altitude_msl}
                                               : altitude_in_frame(frame, double{command.z}, flight_.home());
-  if (!altitude) return messages::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME;
-  GuidedTarget target;
-  target.position = place_of(command, *altitude);
-  if (!target.position && is_px4() && (std::isnan(command.x) || std::isnan(command.y))) {
-    target.position = here;
-    target.position->altitude_msl = *altitude;
-  }
-  if (!target.position || !std::isfinite(altitude->value)) return messages::MAV_RESULT_DENIED;
+  if (!altitude || !std::isfinite(altitude->value)) return std::nullopt;
+  if (is_px4() && (std::isnan(command.x) || std::isnan(command.y)))
+    return Position{here.latitude, here.longitude, *altitude};
+  return place_of(command, *altitude);
+}
+
+/// ArduPilot takes it as COMMAND_INT only. Parameter 1 is a speed, 3 a plane's radius, 4 where the nose points.
+std::uint8_t Autopilot::reposition(const Command& command, Call& call) {
+  if (!command.frame && !is_px4()) return messages::MAV_RESULT_UNSUPPORTED;
+  if (command.frame && !altitude_in_frame(*command.frame, 0, flight_.home()))
+    return messages::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME;
+  GuidedTarget target{.position = place_or_here(command)};
+  if (!target.position) return messages::MAV_RESULT_DENIED;
   if (command.param1 > 0) target.speed = MetresPerSecond{command.param1};
-  if (std::isfinite(command.param3) && command.param3 != 0) target.radius = Metres{command.param3};
+  const bool is_plane = flight_.kind().type == AirframeType::plane;
+  if (is_plane && std::isfinite(command.param3) && command.param3 != 0) target.radius = Metres{command.param3};
   if (std::isfinite(command.param4)) target.heading = Radians{command.param4};
   const bool done = flight_.reposition(target, snapshot_.since_boot, call.airframe, facts_);
   tell_facts(call.speaker);
   return done ? std::uint8_t{messages::MAV_RESULT_ACCEPTED} : not_now();
+}
+
+/// PX4 only. Parameter 1 is the radius, 2 the speed.
+std::uint8_t Autopilot::orbit(const Command& command, Call& call) {
+  if (!is_px4()) return messages::MAV_RESULT_UNSUPPORTED;
+  GuidedTarget target{.position = place_or_here(command)};
+  if (!target.position) return messages::MAV_RESULT_DENIED;
+  const bool has_radius = std::isfinite(command.param1) && command.param1 != 0;
+  target.radius = has_radius ? Metres{command.param1} : Metres{memory_.parameters.value("NAV_LOITER_RAD")};
+  if (command.param2 > 0) target.speed = MetresPerSecond{command.param2};
+  const bool done = flight_.orbit(target, snapshot_.since_boot, call.airframe, facts_);
+  tell_facts(call.speaker);
+  return done ? std::uint8_t{messages::MAV_RESULT_ACCEPTED} : not_now();
+}
+
+/// ArduCopter only: to parameter 1 in degrees, or by it (parameter 4), then to the side of parameter 3.
+std::uint8_t Autopilot::turn(const Command& command, Call& call) {
+  if (is_px4() || flight_.kind().type == AirframeType::plane) return messages::MAV_RESULT_UNSUPPORTED;
+  const bool is_sane = command.param1 >= 0 && command.param1 <= 360 && (command.param4 == 0 || command.param4 == 1);
+  if (!is_sane || !snapshot_.armed) return messages::MAV_RESULT_FAILED;
+  const auto heading = heading_after_turn(call.airframe.state().attitude.heading, double{command.param1},
+                                          double{command.param3}, command.param4 == 1);
+  if (flight_.mode() == FlightMode::guided) call.airframe.face({.heading = heading});
+  return messages::MAV_RESULT_ACCEPTED;
 }
 
 /// To ArduPilot both parameters have to be 0. PX4 begins with the item of parameter 1, and arms.

@@ -1,3 +1,4 @@
+#include "ponte/core/degrees.hpp"
 #include "ponte/mavlink/autopilots/attitude.hpp"
 #include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/extended_sys_state.hpp"
@@ -240,6 +241,19 @@ TEST_F(CommandsTest, IsSilentAboutMessagesThatAskForNothing) {
   station_.send(messages::Ping{.time_usec = 1, .seq = 1});
   station_.send(messages::Heartbeat{.type = 6, .autopilot = 8, .system_status = 4});
   EXPECT_THAT(station_.frames(), IsEmpty());
+}
+
+TEST_F(CommandsTest, TurnsItsNose) {
+  take_off();
+  const auto heading = [&] { return degrees_from_radians(station_.truth().attitude.heading); };
+  EXPECT_EQ(station_.command(messages::MAV_CMD_CONDITION_YAW, {90}), accepted);
+  station_.wait(seconds{10});
+  EXPECT_NEAR(heading(), 90, 1);
+  EXPECT_EQ(station_.command(messages::MAV_CMD_CONDITION_YAW, {30, 0, -1, 1}), accepted) << "to the left";
+  station_.wait(seconds{10});
+  EXPECT_NEAR(heading(), 60, 1);
+  EXPECT_EQ(station_.command(messages::MAV_CMD_CONDITION_YAW, {400}), failed);
+  EXPECT_EQ(station_.command(messages::MAV_CMD_CONDITION_YAW, {0, 0, 0, 2}), failed);
 }
 
 }  // namespace

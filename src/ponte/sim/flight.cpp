@@ -180,7 +180,15 @@ bool Flight::guide(const GuidedTarget& target, Duration now, Airframe& airframe,
 
 bool Flight::reposition(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
   const auto flight = context(now, airframe, facts);
-  const auto mode = flight.is_px4() ? loiter : guided;
+  return lead(target, flight.is_px4() ? loiter : guided, flight);
+}
+
+bool Flight::orbit(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts) {
+  return lead(target, circle, context(now, airframe, facts));
+}
+
+bool Flight::lead(const GuidedTarget& target, FlightMode mode, const FlightContext& flight) {
+  const auto& airframe = flight.airframe;
   if (!airframe.state().airborne || !airframe.state().armed) return false;
   if (mode_ != mode && !may_enter(mode, flight)) return false;
   if (mode_ != mode) change_mode(mode, flight);

@@ -66,6 +66,8 @@ class Flight {
   /// the air, or not possible now.
   [[nodiscard]] bool reposition(const GuidedTarget& target, Duration now, Airframe& airframe,
                                 Outbox<FlightFact>& facts);
+  /// Round a place, at the radius of the target, in the mode for it.
+  [[nodiscard]] bool orbit(const GuidedTarget& target, Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
   /// DO_CHANGE_SPEED: of what is flown from now on.
   void change_speed(MetresPerSecond speed, Duration now, Airframe& airframe, Outbox<FlightFact>& facts);
 
@@ -87,6 +89,7 @@ class Flight {
   void begin(const FlightContext& flight);
   void begin_mission(const FlightContext& flight);
   void climb(Metres height, const FlightContext& flight);
+  [[nodiscard]] bool lead(const GuidedTarget& target, FlightMode mode, const FlightContext& flight);
   void fly(const FlightContext& flight);
   void fly_mission(const FlightContext& flight);
   void fly_square(const FlightContext& flight);

@@ -47,6 +47,7 @@ constexpr std::array px4_modes{
     FlightModeInfo{manual, px4_mode(1), "MANUAL", false, may_arm},
     FlightModeInfo{altitude_hold, px4_mode(2), "ALTCTL", false, may_arm},
     FlightModeInfo{position_hold, px4_mode(3), "POSCTL", with_position, may_arm},
+    FlightModeInfo{circle, px4_mode(3, 1), "POSCTL.ORBIT", with_position, false},
     FlightModeInfo{take_off, px4_mode(px4_auto, 2), "AUTO.TAKEOFF", with_position, may_arm},
     FlightModeInfo{loiter, px4_mode(px4_auto, 3), "AUTO.LOITER", with_position, may_arm},
     FlightModeInfo{automatic, px4_mode(px4_auto, 4), "AUTO.MISSION", with_position, may_arm},

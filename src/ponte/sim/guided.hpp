@@ -16,7 +16,8 @@ struct GuidedTarget {
   std::optional<Radians> heading{};             ///< where the nose points; copters only
   std::optional<RadiansPerSecond> turn_rate{};  ///< clockwise; copters only, and a heading comes before it
   std::optional<MetresPerSecond> speed{};       ///< on the way to the position
-  std::optional<Metres> radius{};               ///< of a plane's circle round the position; clockwise if positive
+  std::optional<Metres>
+      radius{};  ///< of a circle round the position, clockwise if positive; a plane has one of its own
   friend bool operator==(const GuidedTarget&, const GuidedTarget&) = default;
 };
 

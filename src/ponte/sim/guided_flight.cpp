@@ -5,7 +5,7 @@ namespace ponte::sim {
 void GuidedFlight::take(const GuidedTarget& target, MetresPerSecond speed, const FlightContext& flight) {
   remember(target, flight);
   auto& airframe = flight.airframe;
-  if (target.position && flight.is_plane())
+  if (target.position && (flight.is_plane() || target.radius))
     airframe.circle(*target.position, target.radius.value_or(flight.settings.handling.loiter_radius),
                     target.speed.value_or(speed));
   else if (target.position)

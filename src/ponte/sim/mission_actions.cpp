@@ -1,4 +1,5 @@
 #include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/sim/attitude.hpp"
 #include "ponte/sim/mission_flight.hpp"
 #include "ponte/sim/seconds.hpp"
 
@@ -35,15 +36,11 @@ void MissionFlight::perform(const MissionItem& item, const FlightContext& flight
     case messages::MAV_CMD_DO_SET_ROI_NONE: region_of_interest_.reset(); return;
     case messages::MAV_CMD_CONDITION_DELAY: held_until_ = flight.now + seconds_from(item.param1); return;
     case messages::MAV_CMD_CONDITION_DISTANCE: held_beyond_m_ = item.param1; return;
-    case messages::MAV_CMD_CONDITION_YAW: {
-      // The fourth parameter says that the angle counts from where the nose points, the third to which side.
-      const double angle = radians_from_degrees(item.param1).value;
-      const bool is_relative = item.param4 > 0;
-      const double side = item.param3 < 0 ? -1 : 1;
-      const double from = flight.airframe.state().attitude.heading.value;
-      if (std::isfinite(angle)) heading_ = Radians{wrapped(is_relative ? from + side * angle : angle)};
+    case messages::MAV_CMD_CONDITION_YAW:
+      if (std::isfinite(item.param1))
+        heading_ = heading_after_turn(flight.airframe.state().attitude.heading, double{item.param1},
+                                      double{item.param3}, item.param4 > 0);
       return;
-    }
     default: return;  // cameras, servos and the like, which this vehicle does not have
   }
 }

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -179,6 +180,18 @@ TEST_F(Px4Test, IsRepositionedByEitherCommand) {
   EXPECT_EQ(station_.last<messages::CommandAck>().result, accepted);
   station_.wait(seconds{60});
   EXPECT_NEAR(station_.place().north, 0, 1);
+  EXPECT_NEAR(-station_.place().down, 20, 1);
+}
+
+TEST_F(Px4Test, FliesRoundAPlace) {
+  station_.arm();
+  station_.take_off(70);
+  station_.wait(seconds{20});
+  ASSERT_EQ(station_.command(messages::MAV_CMD_DO_ORBIT, {30, 5, 0, nan, -30.06898F, -51.12179F, 70}), accepted);
+  EXPECT_EQ(heartbeat().custom_mode, 0x0103'0000U) << "POSCTL.ORBIT";
+  station_.wait(seconds{40});
+  for (int i = 0; i < 8; ++i, station_.wait(seconds{5}))
+    EXPECT_NEAR(std::hypot(station_.place().north, station_.place().east), 30, 2) << i;
   EXPECT_NEAR(-station_.place().down, 20, 1);
 }
 

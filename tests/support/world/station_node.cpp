@@ -45,7 +45,10 @@ void StationNode::on_frame(const mavlink::FrameView& frame, const mavlink::Messa
   if (message == nullptr) return;
   const bool is_followed = session_.on_frame(now_, link, frame, outbox_, fleet_facts_);
   on_fleet_facts();
-  if (!is_followed || !client_) return;
+  if (!client_) return;
+  const auto& peer = client_->peer();
+  const bool is_of_vehicle = frame.system == peer.system && frame.component == peer.component;
+  if (is_of_vehicle && !is_followed) return;  // another one with the same name
   auto voice = this->voice();
   client_->on_message(now_, frame, voice, vehicle_facts_);
 }
