@@ -13,9 +13,7 @@ void FileClient::on_message(Timestamp now, const mavlink::FrameView& frame, Voic
   if (!is_busy() || !mavlink::carries<messages::FileTransferProtocol>(frame)) return;
   if (frame.system != peer_.system || frame.component != peer_.component) return;
   const auto message = mavlink::decode<messages::FileTransferProtocol>(frame);
-  const bool is_ours =
-      message.target_system == voice.system().value && message.target_component == voice.component().value;
-  if (!is_ours) return;
+  if (!voice.is_addressed(message.target_system, message.target_component)) return;
 
   const auto answer = mavlink::read_ftp(message.payload);
   // An answer has the number after that of its request; those of a burst count on from there.

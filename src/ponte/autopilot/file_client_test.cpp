@@ -1,6 +1,6 @@
 #include "ponte/autopilot/file_client.hpp"
 
-#include "ponte/autopilot/test_frames.hpp"
+#include "ponte/autopilot/test_client.hpp"
 #include "ponte/mavlink/autopilots/file_transfer_protocol.hpp"
 #include "support/bytes.hpp"
 
@@ -23,9 +23,10 @@ using testing::station_system;
 using testing::TestFrame;
 using Kind = FileFact::Kind;
 
-/// A client, and the server's part, which is played by hand.
-class FileClientTest : public ::testing::Test {
+class FileClientTest : public testing::ClientTest<FileClient, FileFact> {
  protected:
+  FileClientTest() { use(Stack::ardupilot_copter); }
+
   std::vector<FtpMessage> said() {
     std::vector<FtpMessage> result;
     out_.drain([&](const OutgoingFrame& frame) {
@@ -37,12 +38,12 @@ class FileClientTest : public ::testing::Test {
   }
 
   void hear(const FtpMessage& message, mavlink::SystemId target = station_system) {
-    client_.on_message(now_,
-                       TestFrame{mavlink::autopilots::FileTransferProtocol{.target_system = target.value,
-                                                                           .target_component = station_component.value,
-                                                                           .payload = mavlink::write_ftp(message)}}
-                           .view(),
-                       voice_, facts_);
+    client_->on_message(now_,
+                        TestFrame{mavlink::autopilots::FileTransferProtocol{.target_system = target.value,
+                                                                            .target_component = station_component.value,
+                                                                            .payload = mavlink::write_ftp(message)}}
+                            .view(),
+                        voice_, facts_);
   }
   /// Answers what was said last.
   void acknowledge(Bytes data = {}, std::uint32_t offset = 0, unsigned later = 1, bool is_last = false) {
@@ -67,37 +68,11 @@ class FileClientTest : public ::testing::Test {
     hear(message);
   }
 
-  void wait(Duration duration) {
-    for (const auto end = now_ + duration;;) {
-      const auto next = client_.next_deadline();
-      if (!next || *next > end) {
-        now_ = end;
-        return;
-      }
-      now_ = std::max(now_, *next);
-      client_.on_tick(now_, voice_, facts_);
-    }
-  }
-
-  std::vector<FileFact> facts() {
-    std::vector<FileFact> result;
-    facts_.drain([&](const FileFact& fact) {
-      if (fact.kind != Kind::progress) result.push_back(fact);
-    });
-    return result;
-  }
-
-  FileClient client_{Peer{testing::vehicle_system, testing::autopilot_component, Stack::ardupilot_copter}};
-  mavlink::FrameSender sender_{mavlink::Version::v2, station_system, station_component};
-  Outbox<OutgoingFrame> out_{64};
-  Voice voice_{sender_, LinkId{1}, out_};
-  Outbox<FileFact> facts_{64};
   FtpMessage last_{};
-  Timestamp now_{};
 };
 
 TEST_F(FileClientTest, ReadsInABurstAndThenWhatIsMissing) {
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   acknowledge(bytes("05 00 00 00"));
   const auto burst = said();
   ASSERT_THAT(burst, SizeIs(1));
@@ -117,11 +92,11 @@ TEST_F(FileClientTest, ReadsInABurstAndThenWhatIsMissing) {
   EXPECT_EQ(said().at(0).opcode, FtpOpcode::terminate_session);
   acknowledge();
   EXPECT_THAT(facts(), ElementsAre(FileFact{.kind = Kind::was_read, .request = FileRequestId{1}, .bytes = 5}));
-  EXPECT_EQ(client_.content(), bytes("01 02 03 04 05"));
+  EXPECT_EQ(client_->content(), bytes("01 02 03 04 05"));
 }
 
 TEST_F(FileClientTest, BurstsOnWhereTheLastBurstEnded) {
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   acknowledge();
   acknowledge(bytes("01 02"), 0, 1, true);
   const auto next = said();
@@ -131,16 +106,16 @@ TEST_F(FileClientTest, BurstsOnWhereTheLastBurstEnded) {
 }
 
 TEST_F(FileClientTest, DoesNotTakeALateBlockForOneOfItsOwn) {
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   acknowledge();
   acknowledge(bytes("01 02"), 0, 0);  // of a burst before
   hear({.sequence = 3, .opcode = FtpOpcode::ack, .size = 1, .request = FtpOpcode::burst_read_file},
        mavlink::SystemId{254});
-  EXPECT_THAT(client_.content(), IsEmpty());
+  EXPECT_THAT(client_->content(), IsEmpty());
 }
 
 TEST_F(FileClientTest, RepeatsARequestWithItsNumber) {
-  (void)client_.remove(now_, "a", voice_);
+  (void)client_->remove(now_, "a", voice_);
   const auto first = said();
   wait(milliseconds{500});
   const auto second = said();
@@ -151,16 +126,16 @@ TEST_F(FileClientTest, RepeatsARequestWithItsNumber) {
 }
 
 TEST_F(FileClientTest, OpensTheFileAgainWhenItsSessionIsGone) {
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   acknowledge();
   acknowledge(bytes("01 02"), 0, 1);
   refuse(FtpError::bad_session, 2);
   EXPECT_EQ(said().at(0).opcode, FtpOpcode::open_read_only);
-  EXPECT_THAT(client_.content(), IsEmpty());
+  EXPECT_THAT(client_->content(), IsEmpty());
 }
 
 TEST_F(FileClientTest, EndsItsOldSessionsWhenNoneIsFree) {
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   refuse(FtpError::no_session_free);
   EXPECT_EQ(said().at(0).opcode, FtpOpcode::reset_sessions);
   acknowledge();
@@ -170,7 +145,7 @@ TEST_F(FileClientTest, EndsItsOldSessionsWhenNoneIsFree) {
 }
 
 TEST_F(FileClientTest, WritesBlockByBlock) {
-  (void)client_.write(now_, "a", std::vector<std::byte>(240, std::byte{7}), voice_);
+  (void)client_->write(now_, "a", std::vector<std::byte>(240, std::byte{7}), voice_);
   EXPECT_EQ(said().at(0).opcode, FtpOpcode::create_file);
   acknowledge();
   EXPECT_EQ(said().at(0).size, 239);
@@ -186,7 +161,7 @@ TEST_F(FileClientTest, WritesBlockByBlock) {
 
 // A server that has closed the file by itself has thrown away what was written.
 TEST_F(FileClientTest, WritesAgainWhatCouldNotBeClosed) {
-  (void)client_.write(now_, "a", std::vector<std::byte>(5, std::byte{7}), voice_);
+  (void)client_->write(now_, "a", std::vector<std::byte>(5, std::byte{7}), voice_);
   acknowledge();
   acknowledge();
   EXPECT_EQ(said().at(0).opcode, FtpOpcode::terminate_session);
@@ -197,44 +172,44 @@ TEST_F(FileClientTest, WritesAgainWhatCouldNotBeClosed) {
 }
 
 TEST_F(FileClientTest, ListsADirectoryAndLeavesOutWhatIsSkipped) {
-  (void)client_.list(now_, "@MISSION", voice_);
+  (void)client_->list(now_, "@MISSION", voice_);
   acknowledge(bytes_of(std::string_view{"Fmission.dat\t48\0Dold\0S\0", 23}));
   EXPECT_EQ(said().at(0).offset, 3U);
   refuse(FtpError::end_of_file);
   EXPECT_EQ(facts().at(0).kind, Kind::listed);
-  EXPECT_THAT(client_.entries(), ElementsAre(FileEntry{"mission.dat", false, 48}, FileEntry{"old", true, 0}));
+  EXPECT_THAT(client_->entries(), ElementsAre(FileEntry{"mission.dat", false, 48}, FileEntry{"old", true, 0}));
 }
 
 TEST_F(FileClientTest, TellsTheChecksumOnBoard) {
   EXPECT_EQ(ftp_checksum(bytes_of(std::string_view{"123456789"})), 0x2DFD2D88U);
-  (void)client_.checksum(now_, "a", voice_);
+  (void)client_->checksum(now_, "a", voice_);
   acknowledge(bytes("88 2d fd 2d"));
   EXPECT_EQ(facts().at(0).checksum, 0x2DFD2D88U);
 }
 
 TEST_F(FileClientTest, TellsWhyItHasFailed) {
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   refuse(FtpError::not_found);
   EXPECT_THAT(facts(), ElementsAre(FileFact{.kind = Kind::failed,
                                             .request = FileRequestId{1},
                                             .failure = FileFailure::refused,
                                             .error = FtpError::not_found}));
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   wait(seconds{15});
   EXPECT_EQ(facts().at(0).failure, FileFailure::silent);
-  (void)client_.read(now_, "a", voice_);
+  (void)client_->read(now_, "a", voice_);
   acknowledge();
   acknowledge(bytes("01"), FileClient::size_limit);
   EXPECT_EQ(facts().at(0).failure, FileFailure::too_large);
 }
 
 TEST_F(FileClientTest, RefusesWhatCannotBegin) {
-  EXPECT_EQ(client_.read(now_, "", voice_), fail(FileRefusal::bad_path));
-  EXPECT_EQ(client_.read(now_, std::string(239, 'a'), voice_), fail(FileRefusal::bad_path));
-  EXPECT_EQ(client_.write(now_, "a", std::vector<std::byte>(FileClient::size_limit + 1), voice_),
+  EXPECT_EQ(client_->read(now_, "", voice_), fail(FileRefusal::bad_path));
+  EXPECT_EQ(client_->read(now_, std::string(239, 'a'), voice_), fail(FileRefusal::bad_path));
+  EXPECT_EQ(client_->write(now_, "a", std::vector<std::byte>(FileClient::size_limit + 1), voice_),
             fail(FileRefusal::too_large));
-  (void)client_.read(now_, "a", voice_);
-  EXPECT_EQ(client_.list(now_, "b", voice_), fail(FileRefusal::busy));
+  (void)client_->read(now_, "a", voice_);
+  EXPECT_EQ(client_->list(now_, "b", voice_), fail(FileRefusal::busy));
 }
 
 }  // namespace

@@ -123,7 +123,6 @@ class MissionClient {
   void on_request(Timestamp now, std::uint16_t item, Voice& voice, Outbox<MissionFact>& facts);
   void on_ack(Timestamp now, std::uint8_t result, Voice& voice, Outbox<MissionFact>& facts);
   void on_current(Timestamp now, const mavlink::autopilots::MissionCurrent& current, Outbox<MissionFact>& facts);
-  [[nodiscard]] bool concerns_us(const auto& message, const Voice& voice) const;
   void note_foreign(std::uint8_t mission_type);
   void go_on(Timestamp now, Voice& voice, Outbox<MissionFact>& facts);
   void on_upload_end(Timestamp now, Voice& voice, Outbox<MissionFact>& facts);

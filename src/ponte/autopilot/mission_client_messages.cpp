@@ -12,11 +12,6 @@ namespace ponte::autopilot {
 
 namespace messages = mavlink::autopilots;
 
-bool MissionClient::concerns_us(const auto& message, const Voice& voice) const {
-  return message.target_system == voice.system().value &&
-         (message.target_component == voice.component().value || message.target_component == 0);
-}
-
 void MissionClient::on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice,
                                Outbox<MissionFact>& facts) {
   if (frame.version == mavlink::Version::v0_9) return;
@@ -25,7 +20,7 @@ void MissionClient::on_message(Timestamp now, const mavlink::FrameView& frame, V
   /// others for, or acknowledges to them, may change a plan that we know.
   const auto handle = [&]<class Message>(Message, bool tells_of_changes, auto&& act) {
     const auto message = mavlink::decode<Message>(frame);
-    const bool is_ours = concerns_us(message, voice);
+    const bool is_ours = voice.is_addressed(message.target_system, message.target_component);
     if (!is_ours && tells_of_changes) note_foreign(message.mission_type);
     if (!is_ours || message.mission_type != static_cast<std::uint8_t>(route_.type)) return;
     act(message);

@@ -1,6 +1,6 @@
 #include "ponte/autopilot/mission_client.hpp"
 
-#include "ponte/autopilot/test_frames.hpp"
+#include "ponte/autopilot/test_client.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
 #include "ponte/mavlink/autopilots/mission_ack.hpp"
 #include "ponte/mavlink/autopilots/mission_clear_all.hpp"
@@ -39,11 +39,8 @@ WireItem waypoint(float height) {
           .z = height};
 }
 
-/// A client, and the vehicle's part, which is played by hand.
-class MissionClientTest : public ::testing::Test {
+class MissionClientTest : public testing::ClientTest<MissionClient, MissionFact> {
  protected:
-  void use(Stack stack) { client_.emplace(Peer{vehicle_system, testing::autopilot_component, stack}); }
-
   void upload(std::vector<WireItem> items) {
     const auto started = client_->upload(now_, PlanType::mission, std::move(items), voice_);
     ASSERT_TRUE(started.has_value());
@@ -56,25 +53,13 @@ class MissionClientTest : public ::testing::Test {
       message.target_system = target.value;
       message.target_component = station_component.value;
     }
-    client_->on_message(now_, TestFrame{message}.view(), voice_, facts_);
+    ClientTest::hear(TestFrame{message});
   }
   void ask_for(std::uint16_t item) { hear(messages::MissionRequest{.seq = item}); }
   void acknowledge(unsigned result) { hear(messages::MissionAck{.type = static_cast<std::uint8_t>(result)}); }
   void give(WireItem item, std::uint16_t number) {
     item.seq = number;
     hear(item);
-  }
-
-  void wait(Duration duration) {
-    for (const auto end = now_ + duration;;) {
-      const auto next = client_->next_deadline();
-      if (!next || *next > end) {
-        now_ = end;
-        return;
-      }
-      now_ = std::max(now_, *next);
-      client_->on_tick(now_, voice_, facts_);
-    }
   }
 
   /// What was sent since the last call: "count 2", "item 0", ...
@@ -97,15 +82,6 @@ class MissionClientTest : public ::testing::Test {
     return result;
   }
 
-  /// The facts since the last call, without progress.
-  std::vector<MissionFact> facts() {
-    std::vector<MissionFact> result;
-    facts_.drain([&](const MissionFact& fact) {
-      if (fact.kind != Kind::progress) result.push_back(fact);
-    });
-    return result;
-  }
-
   /// The vehicle takes a plan, and gives it back.
   void complete(const std::vector<WireItem>& plan) {
     for (std::uint16_t i = 0; i < plan.size(); ++i) ask_for(i);
@@ -116,13 +92,6 @@ class MissionClientTest : public ::testing::Test {
     hear(messages::MissionCount{.count = static_cast<std::uint16_t>(plan.size())});
     for (std::uint16_t i = 0; i < plan.size(); ++i) give(plan[i], i);
   }
-
-  std::optional<MissionClient> client_;
-  mavlink::FrameSender sender_{mavlink::Version::v2, station_system, station_component};
-  Outbox<OutgoingFrame> out_{64};
-  Voice voice_{sender_, LinkId{1}, out_};
-  Outbox<MissionFact> facts_{64};
-  Timestamp now_{};
 };
 
 TEST_F(MissionClientTest, UploadsAndReadsBack) {

@@ -128,7 +128,7 @@ void ParameterClient::on_wanted(Timestamp now, const Parameter& parameter, Voice
 }
 
 void ParameterClient::on_error(const messages::ParamError& error, const Voice& voice, Outbox<ParameterFact>& facts) {
-  const bool is_ours = error.target_system == voice.system().value && error.target_component == voice.component().value;
+  const bool is_ours = voice.is_addressed(error.target_system, error.target_component);
   const bool is_about_it = (step_ == Step::reading || step_ == Step::setting) && error.param_id == target_.name;
   if (!is_ours || !is_about_it) return;
   tell({.kind = ParameterFact::Kind::failed,

@@ -1,6 +1,6 @@
 #include "ponte/autopilot/parameter_client.hpp"
 
-#include "ponte/autopilot/test_frames.hpp"
+#include "ponte/autopilot/test_client.hpp"
 #include "ponte/mavlink/autopilots/param_request_list.hpp"
 #include "ponte/mavlink/autopilots/param_request_read.hpp"
 #include "ponte/mavlink/autopilots/param_set.hpp"
@@ -31,32 +31,17 @@ constexpr std::uint8_t real32 = 9;
 constexpr std::uint8_t int32 = 6;
 constexpr std::uint16_t no_index = 65535;
 
-/// A client, and the vehicle's part, which is played by hand.
-class ParameterClientTest : public ::testing::Test {
+class ParameterClientTest : public testing::ClientTest<ParameterClient, ParameterFact> {
  protected:
-  void use(Stack stack) { client_.emplace(Peer{vehicle_system, testing::autopilot_component, stack}); }
-
   template <mavlink::Message M>
   void hear(const M& message) {
-    client_->on_message(now_, TestFrame{message}.view(), voice_, facts_);
+    ClientTest::hear(TestFrame{message});
   }
   void tell(std::string_view name, float value, std::uint16_t index, std::uint16_t count, std::uint8_t type = real32) {
     hear(messages::ParamValue{
         .param_id = name, .param_value = value, .param_type = type, .param_count = count, .param_index = index});
   }
   void tell_hash(std::uint32_t hash) { tell("_HASH_CHECK", std::bit_cast<float>(hash), no_index, 2, 5); }
-
-  void wait(Duration duration) {
-    for (const auto end = now_ + duration;;) {
-      const auto next = client_->next_deadline();
-      if (!next || *next > end) {
-        now_ = end;
-        return;
-      }
-      now_ = std::max(now_, *next);
-      client_->on_tick(now_, voice_, facts_);
-    }
-  }
 
   /// What was sent since the last call: "list", "read A", "read 7", "set A 1".
   std::vector<std::string> said() {
@@ -76,21 +61,6 @@ class ParameterClientTest : public ::testing::Test {
     });
     return result;
   }
-
-  std::vector<ParameterFact> facts() {
-    std::vector<ParameterFact> result;
-    facts_.drain([&](const ParameterFact& fact) {
-      if (fact.kind != Kind::progress) result.push_back(fact);
-    });
-    return result;
-  }
-
-  std::optional<ParameterClient> client_;
-  mavlink::FrameSender sender_{mavlink::Version::v2, station_system, station_component};
-  Outbox<OutgoingFrame> out_{64};
-  Voice voice_{sender_, LinkId{1}, out_};
-  Outbox<ParameterFact> facts_{64};
-  Timestamp now_{};
 };
 
 TEST_F(ParameterClientTest, FetchesTheListAndWhatIsMissing) {

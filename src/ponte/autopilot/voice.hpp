@@ -31,6 +31,10 @@ class Voice {
   // Who speaks.
   [[nodiscard]] mavlink::SystemId system() const { return sender_.system(); }
   [[nodiscard]] mavlink::ComponentId component() const { return sender_.component(); }
+  /// Whether a message with this addressee is for the speaker; a component 0 means all of its system.
+  [[nodiscard]] bool is_addressed(std::uint8_t target_system, std::uint8_t target_component) const {
+    return target_system == system().value && (target_component == component().value || target_component == 0);
+  }
 
  private:
   mavlink::FrameSender& sender_;
