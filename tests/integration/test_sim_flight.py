@@ -16,6 +16,8 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from programs import HANG_LIMIT_S, run
 from sim_station import COMPONENT, SYSTEM, Station
 
+pytestmark = pytest.mark.once
+
 StartPonte = Callable[..., None]
 
 HOME = (-30.06898, -51.12179)

@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from programs import HANG_LIMIT_S
 
+pytestmark = pytest.mark.once
+
 MISSION = """QGC WPL 110
 0\t1\t0\t16\t0\t0\t0\t0\t-30.06898\t-51.12179\t50\t1
 1\t0\t3\t22\t0\t0\t0\t0\t-30.06898\t-51.12179\t20\t1

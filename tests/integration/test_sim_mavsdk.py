@@ -23,6 +23,8 @@ from mavsdk.plugins.param import Param, ParamError
 from mavsdk.plugins.telemetry import FlightMode, Telemetry
 from programs import HANG_LIMIT_S
 
+pytestmark = pytest.mark.once
+
 PX4, ARDUPILOT = "px4", "ardupilot"
 HOME = (-30.06898, -51.12179)
 ITEMS = 20
