@@ -42,21 +42,27 @@ class Witness:
                 return message
         raise AssertionError(f"no {names} came")
 
-    def heartbeat(self) -> Any:
-        while self.link.recv_match(type="HEARTBEAT", blocking=False) is not None:
+    def forget(self) -> None:
+        """What has come so far: the vehicle says everything to everybody."""
+        while self.link.recv_match(blocking=False) is not None:
             pass
+
+    def heartbeat(self) -> Any:
+        self.forget()
         return self.next("HEARTBEAT")
 
     def is_armed(self) -> bool:
         return bool(self.heartbeat().base_mode & mavlink.MAV_MODE_FLAG_SAFETY_ARMED)
 
     def parameter(self, name: str) -> Any:
+        self.forget()
         while True:
             value = self.next("PARAM_VALUE", ask=mavlink.MAVLink_param_request_read_message(1, 1, name.encode(), -1))
             if value.param_id == name:
                 return value
 
     def mission(self) -> list[Any]:
+        self.forget()
         count = self.next("MISSION_COUNT", ask=mavlink.MAVLink_mission_request_list_message(1, 1, 0)).count
         items: list[Any] = []
         while len(items) < count:
@@ -74,7 +80,7 @@ class Vehicle:
 
     def tell(self, *arguments: str, status: int = 0) -> Any:
         """What `ponte vehicle` prints, and on stderr."""
-        result = run(self.ponte, "vehicle", f"udpout://127.0.0.1:{self.port}", *arguments)
+        result = run([self.ponte, "vehicle", f"udpout://127.0.0.1:{self.port}", *arguments])
         assert result.returncode == status, result.stderr
         return result
 
@@ -85,10 +91,11 @@ class Vehicle:
 @pytest.fixture(params=["ardupilot", "px4"])
 def vehicle(request: pytest.FixtureRequest, ponte: Path, start_ponte: Callable[..., None]) -> Iterator[Vehicle]:
     port = free_port()
-    gimbal = "MNT_MODE_IN=4" if request.param == "px4" else "MNT1_TYPE=1"
+    # A gimbal, and ten times the patience with setpoints, since its time goes ten times as fast.
+    settings = ("MNT_MODE_IN=4", "COM_OF_LOSS_T=10") if request.param == "px4" else ("MNT1_TYPE=1", "GUID_TIMEOUT=30")
     start_ponte(
         "sim", "--autopilot", request.param, "--endpoint", f"udpin://127.0.0.1:{port}", "--speedup", "10",
-        "--param", gimbal, "--quiet",
+        "--param", settings[0], "--param", settings[1], "--quiet",
     )  # fmt: skip
     result = Vehicle(ponte, port, request.param)
     ask = mavlink.MAVLink_command_long_message(1, 1, mavlink.MAV_CMD_GET_HOME_POSITION, 0, 0, 0, 0, 0, 0, 0, 0)
@@ -191,6 +198,6 @@ def test_ardupilot_gives_files(vehicle: Vehicle, tmp_path: Path) -> None:
 
 
 def test_without_a_vehicle_it_says_so(ponte: Path) -> None:
-    result = run(ponte, "vehicle", f"udpout://127.0.0.1:{free_port()}", "--patience", "0.5", "arm")
+    result = run([ponte, "vehicle", f"udpout://127.0.0.1:{free_port()}", "--patience", "0.5", "arm"])
     assert result.returncode == 1
     assert "no vehicle was heard" in result.stderr

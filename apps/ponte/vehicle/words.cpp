@@ -63,6 +63,8 @@ std::string_view to_text(GimbalError error) {
   switch (error) {
     case GimbalError::not_found: return "no gimbal was found";
     case GimbalError::not_in_control: return "somebody else controls the gimbal";
+    case GimbalError::home_unknown:
+      return "the vehicle does not tell the altitude of its home, which it has to be told";
     case GimbalError::not_supported: return "an old mount knows angles from the nose only";
     case GimbalError::invalid: return "expected numbers within their range";
     case GimbalError::not_sent: return not_sent;
