@@ -30,7 +30,7 @@ def codegen(probe: Callable[[str], Path]) -> Path:
 def prefix(codegen: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the components are installed, alone."""
     folder = tmp_path_factory.mktemp("prefix")
-    for component in ("mavlink", "reflection"):
+    for component in ("mavlink", "reflection", "autopilot"):
         done = run(["cmake", "--install", codegen.parents[1], "--prefix", folder, "--component", component])
         assert done.returncode == 0, done.stderr
     return folder
@@ -70,7 +70,7 @@ def test_a_component_that_does_not_exist_is_named(codegen: Path, prefix: Path, t
 
 def test_nothing_installed_points_back_to_the_sources(prefix: Path) -> None:
     cmake_files = list((prefix / "lib" / "cmake" / "ponte").iterdir())
-    assert len(cmake_files) >= 5
+    assert len(cmake_files) >= 7
     assert [path for path in cmake_files if str(REPOSITORY) in path.read_text()] == []
 
 
@@ -164,3 +164,20 @@ def test_describe_message(example: Callable[[str], Path], prefix: Path) -> None:
     ]  # fmt: skip
     lost = run([program, EXAMPLES / "lamps.xml", "LAMP"])
     assert (lost.returncode, lost.stdout) == (1, f"{EXAMPLES}/lamps.xml:3: included file 'minimal.xml' was not found\n")
+
+
+@pytest.mark.parametrize("autopilot", ["ardupilot", "px4"])
+def test_services_lead_a_vehicle(example: Callable[[str], Path], start_ponte: Callable[..., None], autopilot: str) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = str(probe.getsockname()[1])
+    start_ponte("sim", "--autopilot", autopilot, "--endpoint", f"udpout://127.0.0.1:{port}", "--speedup", "10", "--quiet")
+    home_items = 1 if autopilot == "ardupilot" else 0
+    assert run([example("upload_mission"), port, "12"]).stdout == f"{12 + 1 + home_items} items on board\n"
+    name = "RTL_ALT" if autopilot == "ardupilot" else "RTL_RETURN_ALT"
+    assert run([example("set_parameter"), port, name, "20"]).stdout == f"{name} is 20\n"
+    assert run([example("take_off"), port, "15"]).stdout == "in the air\non its way home\n"
+    set_home, unknown = "179", "31000"
+    assert run([example("any_command"), port, set_home, "1"]).stdout == "accepted after 1 messages\n"
+    refused = run([example("any_command"), port, unknown])
+    assert (refused.returncode, refused.stderr) == (1, "not accepted\n")
