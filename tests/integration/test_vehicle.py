@@ -136,6 +136,7 @@ def test_a_mission_that_it_uploads_is_what_pymavlink_reads(vehicle: Vehicle, tmp
     first = 1 if vehicle.autopilot == "ardupilot" else 0
     (uploaded,) = vehicle.tell_json("mission", "upload", str(file))
     assert uploaded["items"] == first + 1 + len(places)
+    assert uploaded["as_file"] == (vehicle.autopilot == "ardupilot")
     items = vehicle.witness.mission()
     assert [item.command for item in items[first:]] == [22] + [16] * len(places)
     assert [(item.x, item.y, item.z) for item in items[first + 1 :]] == places

@@ -21,6 +21,23 @@ inline std::string with_reason(std::string_view words, std::string_view reason) 
   return reason.empty() ? std::string{words} : fmt::format("{} (\"{}\")", words, reason);
 }
 
+/// Whether plans and parameters are to be had as files, which the vehicle tells soon after it was found.
+inline bool offers_files(Operator& station) {
+  auto& client = station.client();
+  (void)station.run_until([&] { return client.capabilities().has_value(); }, std::chrono::seconds{2});
+  return client.offers_files();
+}
+
+/// What became of a request to the files.
+template <class Begin>
+autopilot::FileFact use_file(Operator& station, std::string_view action, Begin&& begin) {
+  using autopilot::FileFact;
+  const auto request = station.begin(action, begin, [](auto) { return false; });
+  return station.await<FileFact>(
+      [&](const FileFact& each) { return each.request == *request && each.kind != FileFact::Kind::progress; },
+      unheeded);
+}
+
 /// Wishes something of a service, and waits until it is done. Throws `Failure` if it is not.
 template <class Wish, class Begin, class IsEarly>
 void carry_out(Operator& station, std::string_view action, Begin&& begin, IsEarly&& is_early) {

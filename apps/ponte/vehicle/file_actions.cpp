@@ -15,10 +15,7 @@ using autopilot::Voice;
 
 template <class Begin>
 FileFact ask(Operator& station, const std::string& action, Begin&& begin) {
-  const auto request = station.begin(action, begin, [](auto) { return false; });
-  const auto fact = station.await<FileFact>(
-      [&](const FileFact& each) { return each.request == *request && each.kind != FileFact::Kind::progress; },
-      unheeded);
+  const auto fact = use_file(station, action, begin);
   if (fact.kind != FileFact::Kind::failed) return fact;
   const bool is_refused = fact.failure == autopilot::FileFailure::refused;
   station.give_up(action, is_refused ? std::string{to_text(fact.error)} : std::string{}, to_text(fact.failure));

@@ -59,6 +59,16 @@ std::vector<WireItem> items_for(Operator& station, const std::string& file, cons
   return std::move(*items);
 }
 
+/// Items are sent as a file where the vehicle has files. True: it has taken it.
+bool sends_file(Operator& station, std::string_view action, const Plan& plan, const std::vector<WireItem>& items) {
+  if (items.empty() || !offers_files(station)) return false;
+  const auto fact = use_file(station, action, [&](Voice voice) {
+    return station.client().files().write(station.now(), autopilot::plan_path(plan.type),
+                                          autopilot::pack_plan(plan.type, items), voice);
+  });
+  return fact.kind == autopilot::FileFact::Kind::written;
+}
+
 /// Each plan that the file has; a mission also if it has none, so that the old one does not stay.
 void upload(Operator& station, const MissionInput& input) {
   const auto loaded = load_mission(input);
@@ -68,8 +78,11 @@ void upload(Operator& station, const MissionInput& input) {
     if (items.empty() && plan.type != PlanType::mission) continue;
     const auto action = fmt::format("upload of the {}", plan.name);
     const auto count = items.size();
+    const bool is_sent = sends_file(station, action, plan, items);
     const auto fact = transfer(station, action, [&](Voice voice) {
-      return station.client().missions().upload(station.now(), plan.type, items, voice);
+      auto& missions = station.client().missions();
+      return is_sent ? missions.confirm(station.now(), plan.type, items, voice)
+                     : missions.upload(station.now(), plan.type, items, voice);
     });
     if (station.wants_json()) {
       station.json()
@@ -77,11 +90,12 @@ void upload(Operator& station, const MissionInput& input) {
           .member("plan", plan.name)
           .member("result", "done")
           .member("items", count)
-          .member("was_on_board", fact.was_on_board);
+          .member("was_on_board", fact.was_on_board && !is_sent)
+          .member("as_file", is_sent);
       station.print();
     } else {
       fmt::print("{}: {} items {}\n", plan.name, count,
-                 fact.was_on_board ? "were on board already" : "uploaded, read back, and found equal");
+                 fact.was_on_board && !is_sent ? "were on board already" : "uploaded, read back, and found equal");
     }
   }
 }

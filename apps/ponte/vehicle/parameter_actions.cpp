@@ -1,5 +1,6 @@
 #include "common/load_file.hpp"
 #include "ponte/autopilot/parameter_file.hpp"
+#include "ponte/autopilot/parameter_pack.hpp"
 #include "ponte/core/bytes.hpp"
 #include "vehicle/actions.hpp"
 #include "vehicle/carry_out.hpp"
@@ -44,9 +45,23 @@ void print_parameter(Operator& station, const Parameter& parameter) {
   station.print();
 }
 
+/// True: the vehicle has given its file of parameters.
+bool read_file(Operator& station) {
+  if (!offers_files(station)) return false;
+  auto& files = station.client().files();
+  const auto fact =
+      use_file(station, "params", [&](Voice voice) { return files.read(station.now(), "@PARAM/param.pck", voice); });
+  if (fact.kind != autopilot::FileFact::Kind::was_read) return false;
+  auto all = autopilot::unpack_parameters(files.content());
+  if (!all) return false;
+  station.client().parameters().take_over(std::move(*all));
+  return true;
+}
+
 /// In ArduPilot's packed file where there is one, else one by one.
 std::vector<Parameter> fetch_all(Operator& station) {
   auto& parameters = station.client().parameters();
+  if (read_file(station)) return parameters.known();
   const auto fact = ask(station, "params", [&](Voice voice) { return parameters.fetch_all(station.now(), voice); });
   if (!station.wants_json()) fmt::print(stderr, "\r{} parameters\n", fact.total);
   return parameters.known();

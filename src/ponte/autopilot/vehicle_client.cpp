@@ -1,7 +1,9 @@
 #include "ponte/autopilot/vehicle_client.hpp"
 
 #include "ponte/autopilot/stream_requests.hpp"
+#include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/mavlink/codec.hpp"
 
 namespace ponte::autopilot {
 namespace {
@@ -43,6 +45,9 @@ VehicleClient::VehicleClient(const Peer& peer)
 
 void VehicleClient::on_message(Timestamp now, const mavlink::FrameView& frame, Voice& voice,
                                Outbox<VehicleFact>& facts) {
+  const bool is_its = frame.system == peer().system && frame.component == peer().component;
+  if (is_its && mavlink::carries<messages::AutopilotVersion>(frame))
+    capabilities_ = mavlink::decode<messages::AutopilotVersion>(frame).capabilities;
   link_quality_.on_message(now, frame);
   health_.on_message(now, frame);
   time_sync_.on_message(now, frame);
@@ -86,7 +91,13 @@ Timestamp VehicleClient::next_deadline() const {
   return next;
 }
 
+bool VehicleClient::offers_files() const {
+  const bool is_ardupilot = peer().stack == Stack::ardupilot_copter || peer().stack == Stack::ardupilot_plane;
+  return is_ardupilot && (capabilities_.value_or(0) & messages::MAV_PROTOCOL_CAPABILITY_FTP) != 0;
+}
+
 void VehicleClient::on_reboot(Timestamp now, Outbox<VehicleFact>& facts) {
+  capabilities_.reset();
   link_quality_.on_reboot();
   health_.on_reboot();
   time_sync_.on_reboot();

@@ -13,6 +13,7 @@
 #include "ponte/autopilot/setpoint_stream.hpp"
 #include "ponte/autopilot/time_sync.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <variant>
 
@@ -41,6 +42,11 @@ class VehicleClient {
   void on_reboot(Timestamp now, Outbox<VehicleFact>& facts);
 
   [[nodiscard]] const Peer& peer() const { return commands_.peer(); }
+  /// MAV_PROTOCOL_CAPABILITY, as AUTOPILOT_VERSION has it; nothing until it has come since the vehicle started.
+  [[nodiscard]] std::optional<std::uint64_t> capabilities() const { return capabilities_; }
+  /// Plans and parameters are to be had as files, which takes a fraction of the time: ArduPilot says so, and only its
+  /// files are known.
+  [[nodiscard]] bool offers_files() const;
   [[nodiscard]] CommandClient& commands() { return commands_; }
   [[nodiscard]] ModeClient& modes() { return modes_; }
   [[nodiscard]] GuidedFlight& guided() { return guided_; }
@@ -58,6 +64,7 @@ class VehicleClient {
   void pass_on(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts);
   void tell_the_rest(Outbox<VehicleFact>& facts);
 
+  std::optional<std::uint64_t> capabilities_;
   CommandClient commands_;
   ModeClient modes_;
   GuidedFlight guided_;

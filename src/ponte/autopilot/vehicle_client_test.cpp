@@ -1,6 +1,7 @@
 #include "ponte/autopilot/vehicle_client.hpp"
 
 #include "ponte/autopilot/test_station.hpp"
+#include "ponte/mavlink/autopilots/autopilot_version.hpp"
 #include "ponte/mavlink/autopilots/command_ack.hpp"
 #include "ponte/mavlink/autopilots/command_long.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
@@ -65,6 +66,17 @@ TEST(VehicleClient, HandsAnswersToTheServiceThatAskedAndTheRestToTheUser) {
   EXPECT_TRUE(std::holds_alternative<CommandFact>(told[0]));
   EXPECT_TRUE(std::holds_alternative<CameraFact>(told[1]));
   EXPECT_TRUE(std::holds_alternative<ModeFact>(told[2]));
+}
+
+TEST(VehicleClient, KnowsWhetherThereAreFilesUntilTheVehicleStartsAnew) {
+  Bench bench;
+  EXPECT_FALSE(bench.client.offers_files()) << "it has not said so";
+  bench.hear(start, messages::AutopilotVersion{.capabilities = messages::MAV_PROTOCOL_CAPABILITY_MISSION_INT});
+  EXPECT_FALSE(bench.client.offers_files());
+  bench.hear(start, messages::AutopilotVersion{.capabilities = messages::MAV_PROTOCOL_CAPABILITY_FTP});
+  EXPECT_TRUE(bench.client.offers_files());
+  bench.client.on_reboot(start, bench.facts);
+  EXPECT_FALSE(bench.client.capabilities());
 }
 
 TEST(VehicleClient, EndsEverythingOnceWhenTheVehicleStartsAnew) {
