@@ -64,9 +64,9 @@ void VehicleClient::on_message(Timestamp now, const mavlink::FrameView& frame, V
 
 void VehicleClient::on_tick(Timestamp now, Voice& voice, Outbox<VehicleFact>& facts) {
   commands_.on_tick(now, voice, command_facts_);
+  stream_.on_tick(now, voice, stream_facts_);  // before the modes, which tell what it has superseded
   modes_.on_tick(now, mode_facts_);
   guided_.on_tick(now, guided_facts_);
-  stream_.on_tick(now, voice, stream_facts_);
   gimbal_.on_tick(now, gimbal_facts_);
   time_sync_.on_tick(now, voice);
   missions_.on_tick(now, voice, mission_facts_);

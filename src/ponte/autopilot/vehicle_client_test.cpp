@@ -5,6 +5,7 @@
 #include "ponte/mavlink/autopilots/command_ack.hpp"
 #include "ponte/mavlink/autopilots/command_long.hpp"
 #include "ponte/mavlink/autopilots/enums.hpp"
+#include "ponte/mavlink/autopilots/extended_sys_state.hpp"
 #include "ponte/mavlink/autopilots/heartbeat.hpp"
 #include "ponte/mavlink/autopilots/statustext.hpp"
 #include "ponte/mavlink/autopilots/timesync.hpp"
@@ -26,6 +27,9 @@ constexpr Command prearm{.number = messages::MAV_CMD_RUN_PREARM_CHECKS};
 
 class Bench {
  public:
+  explicit Bench(Stack stack = Stack::ardupilot_copter)
+      : client{{testing::vehicle_system, testing::autopilot_component, stack}} {}
+
   template <mavlink::Message M>
   void hear(Timestamp now, const M& message) {
     const testing::TestFrame frame{message, testing::vehicle_system, testing::autopilot_component, mavlink::Version::v2,
@@ -44,7 +48,7 @@ class Bench {
   void tick(Timestamp now) { client.on_tick(now, station.voice(), facts); }
 
   testing::Station station;
-  VehicleClient client{{testing::vehicle_system, testing::autopilot_component, Stack::ardupilot_copter}};
+  VehicleClient client;
   Outbox<VehicleFact> facts{64};
 
  private:
@@ -77,6 +81,21 @@ TEST(VehicleClient, KnowsWhetherThereAreFilesUntilTheVehicleStartsAnew) {
   EXPECT_TRUE(bench.client.offers_files());
   bench.client.on_reboot(start, bench.facts);
   EXPECT_FALSE(bench.client.capabilities());
+}
+
+TEST(VehicleClient, TellsAtOnceWhatAStreamHasSuperseded) {
+  Bench bench{Stack::px4};
+  bench.heartbeat(start, true);
+  bench.hear(start, messages::ExtendedSysState{.landed_state = messages::MAV_LANDED_STATE_IN_AIR});
+  for (const auto time : {start, start + 900ms})
+    ASSERT_TRUE(bench.client.stream().steer(time, {.north = MetresPerSecond{2}}, bench.station.voice()));
+  ASSERT_TRUE(bench.client.modes().disarm(start + 900ms, bench.station.voice()));
+  static_cast<void>(testing::take(bench.facts));
+  bench.tick(start + 1s);  // the stream asks for OFFBOARD
+  const auto told = testing::take(bench.facts);
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_EQ(std::get<ModeFact>(told[0]).kind, ModeFact::Kind::superseded);
+  EXPECT_GT(bench.client.next_deadline(), start + 1s);
 }
 
 TEST(VehicleClient, EndsEverythingOnceWhenTheVehicleStartsAnew) {
