@@ -202,3 +202,13 @@ def test_without_a_vehicle_it_says_so(ponte: Path) -> None:
     result = run([ponte, "vehicle", f"udpout://127.0.0.1:{free_port()}", "--patience", "0.5", "arm"])
     assert result.returncode == 1
     assert "no vehicle was heard" in result.stderr
+
+
+def test_a_vehicle_that_does_not_sign_is_refused_by_name(vehicle: Vehicle, tmp_path: Path) -> None:
+    key = tmp_path / "key"
+    key.write_text("5a" * 32)
+    key.chmod(0o600)
+    signed = ("--mavlink", "2-signed-only", "--signing-key", str(key))
+    refused = vehicle.tell(*signed, "--patience", "2", "arm", status=1)
+    assert "no vehicle was heard" in refused.stderr
+    assert "unsigned" in refused.stderr

@@ -10,6 +10,9 @@ namespace ponte::app {
 /// Nothing of what happens meanwhile matters.
 inline constexpr auto unheeded = [](const auto&) {};
 
+/// All that the request needs is known.
+inline constexpr auto never_early = [](auto) { return false; };
+
 /// "MAV_RESULT_DENIED" of a refusal, "" of anything else.
 template <class Fact>
 std::string code_of(const Fact& fact) {
@@ -32,7 +35,7 @@ inline bool offers_files(Operator& station) {
 template <class Begin>
 autopilot::FileFact use_file(Operator& station, std::string_view action, Begin&& begin) {
   using autopilot::FileFact;
-  const auto request = station.begin(action, begin, [](auto) { return false; });
+  const auto request = station.begin(action, begin, never_early);
   return station.await<FileFact>(
       [&](const FileFact& each) { return each.request == *request && each.kind != FileFact::Kind::progress; },
       unheeded);

@@ -69,7 +69,7 @@ void add_command_action(CLI::App& command, Action& chosen) {
       const auto request = station.begin(
           name,
           [&](autopilot::Voice voice) { return station.client().commands().request(station.now(), wanted, voice); },
-          [](auto) { return false; });
+          never_early);
       const auto fact = station.await<CommandFact>(
           [&](const CommandFact& each) { return each.request == *request && each.is_final(); },
           [&](const CommandFact& each) { tell_progress(station, each); });

@@ -19,8 +19,6 @@ using autopilot::GimbalFact;
 using autopilot::GimbalWish;
 using autopilot::Voice;
 
-constexpr auto never_early = [](auto) { return false; };
-
 template <class Begin>
 void wish(Operator& station, std::string_view action, Begin&& begin) {
   carry_out<GimbalWish>(station, action, begin, never_early);

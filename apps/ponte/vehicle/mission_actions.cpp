@@ -25,8 +25,6 @@ struct Plan {
 constexpr std::array plans{Plan{PlanType::mission, "mission"}, Plan{PlanType::fence, "fence"},
                            Plan{PlanType::rally, "rally points"}};
 
-constexpr auto never_early = [](auto) { return false; };
-
 void tell_progress(const Operator& station, const MissionFact& fact) {
   if (fact.kind == MissionFact::Kind::progress && !station.wants_json() && fact.total > 0)
     fmt::print(stderr, "\r{} of {}{}", fact.done, fact.total, fact.done == fact.total ? "\n" : "");

@@ -36,7 +36,11 @@ void Operator::find_vehicle() {
   timer_.set(loop_.now());
   if (run_until([this] { return client_.has_value(); }, patience())) return;
   const auto wanted = options_.system == 0 ? std::string{"no vehicle"} : fmt::format("no vehicle {}", options_.system);
-  throw Failure{fmt::format("{} was heard on {} within {} s", wanted, options_.endpoint, options_.patience_s)};
+  mavlink::Refusals refused{};
+  for (const auto& [peer, exchange] : exchanges_)
+    for (std::size_t i = 0; i < refused.size(); ++i) refused[i] += exchange.guard.refused()[i];
+  throw Failure{fmt::format("{} was heard on {} within {} s{}", wanted, options_.endpoint, options_.patience_s,
+                            refusals_in(refused))};
 }
 
 Duration Operator::patience() const {
@@ -101,7 +105,11 @@ Operator::Exchange& Operator::exchange_with(Timestamp now, transport::PeerId pee
 void Operator::on_frame(const mavlink::FrameView& frame, const mavlink::MessageInfo* message) {
   if (message == nullptr) return;
   const auto wall = transport::Loop::wall();
-  if (current_->guard.examine(wall, frame, kept_signer_ ? &kept_signer_->signer() : nullptr)) return;
+  if (const auto refusal = current_->guard.examine(wall, frame, kept_signer_ ? &kept_signer_->signer() : nullptr)) {
+    if (current_->guard.refused()[static_cast<std::size_t>(*refusal)] == 1)
+      log_->warn("{}: frames are refused: {}", options_.endpoint, name_of(*refusal));
+    return;
+  }
   const bool is_followed = session_.on_frame(now_, current_->id, frame, frames_, fleet_facts_);
   on_fleet_facts();
   if (!client_) return;

@@ -18,8 +18,6 @@ using autopilot::Parameter;
 using autopilot::ParameterFact;
 using autopilot::Voice;
 
-constexpr auto never_early = [](auto) { return false; };
-
 template <class Begin>
 ParameterFact ask(Operator& station, std::string_view action, Begin&& begin) {
   const auto request = station.begin(action, begin, never_early);

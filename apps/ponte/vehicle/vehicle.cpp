@@ -45,8 +45,8 @@ void add_vehicle(CLI::App& app) {
   command->require_subcommand(1);
   command->footer("Example:\n  ponte vehicle udpin://127.0.0.1:14550 takeoff 20");
   command->callback([options] {
-    Operator for_now{options->station};
-    options->action(for_now);
+    Operator own{options->station};
+    options->action(own);
   });
 }
 

@@ -29,6 +29,7 @@ namespace {
 
 constexpr Duration heartbeat_period = seconds{1};
 constexpr Duration patience = milliseconds{1500};
+constexpr Duration longest_delay = seconds{2};      // of a message, on the worst radio
 constexpr std::uint8_t most_attempts_to_arm = 100;  // something is wrong with the vehicle
 
 /// Two numbers mean the same frame, and each autopilot gives back its own.
@@ -131,9 +132,9 @@ void Pilot::on_heartbeat(const mavlink::FrameView& frame) {
   is_armed_ = (mavlink::decode<messages::Heartbeat>(frame).base_mode & messages::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
   if (phase_ == Phase::looking) return go_on_to(Phase::uploading);
   if (phase_ != Phase::starting && phase_ != Phase::flying) return;
-  was_armed_ = was_armed_ || is_armed_;
-  // A vehicle that is not started in time has disarmed itself.
-  if (was_armed_ && !is_armed_) go_on_to(phase_ == Phase::starting ? Phase::choosing_mode : Phase::done);
+  // A vehicle that is not started in time has disarmed itself, perhaps unheard.
+  const bool is_news = now_ - *started_ >= longest_delay;
+  if (is_news && !is_armed_) go_on_to(phase_ == Phase::starting ? Phase::choosing_mode : Phase::done);
 }
 
 void Pilot::on_mission_request(std::uint16_t sequence) {
@@ -165,7 +166,6 @@ void Pilot::on_command_ack(const mavlink::FrameView& frame) {
   if (phase_ == Phase::choosing_mode && ack.command == messages::MAV_CMD_DO_SET_MODE) return go_on_to(Phase::arming);
   if (phase_ == Phase::arming && ack.command == messages::MAV_CMD_COMPONENT_ARM_DISARM) {
     started_ = now_;
-    was_armed_ = false;
     const bool starts_by_itself = is_plane() || config_.kind.personality == sim::Personality::px4;
     return go_on_to(starts_by_itself ? Phase::flying : Phase::starting);
   }

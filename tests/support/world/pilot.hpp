@@ -80,7 +80,6 @@ class Pilot final : public Participant, private mavlink::FrameSink {
   std::vector<MissionItem> read_back_;
   std::string difference_;
   bool is_armed_{};
-  bool was_armed_{};
   std::optional<Timestamp> started_{};
 };
 
